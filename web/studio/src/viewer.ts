@@ -44,6 +44,8 @@ export interface ViewerState {
     /** Of the live picture; null: there is none. */
     readonly liveSamples: number | null;
     readonly gamutWarning: boolean;
+    /** Samples a pixel from which on the path tracer's picture hides the live one. */
+    readonly enough: number;
 }
 
 /** Whether the path tracer's picture is of the paint and the view that are asked for. */
@@ -55,7 +57,7 @@ export function isCurrent({ picture, recipe, view }: ViewerState): boolean {
 export function covers(state: ViewerState): boolean {
     const { picture, liveSamples } = state;
     if (picture === null || liveSamples === null) return picture !== null;
-    return !state.gamutWarning && isCurrent(state) && picture.samples >= ENOUGH;
+    return !state.gamutWarning && isCurrent(state) && picture.samples >= state.enough;
 }
 
 /** Whether A's picture is of the view that is asked for, and no draft nor a coarse live one. */
@@ -98,10 +100,13 @@ export class Viewer {
         recipe: null,
         liveSamples: null,
         gamutWarning: false,
+        enough: ENOUGH,
     });
     private live: Live | null = null;
     private size = { width: 0, height: 0 };
     private meanModel = "";
+    /** Lights of lamps whose spectra have lines, which few samples do not meet evenly: greys have a tint. */
+    private readonly withLines = new Set<string>();
     private underWay: { id: number; job: Job } | null = null;
     private quickWanted = false;
     private timer: ReturnType<typeof setTimeout> | undefined;
@@ -141,6 +146,9 @@ export class Viewer {
 
     begin(schema: Schema): void {
         this.meanModel = schema.mean_model;
+        for (const { name, illuminant } of schema.lights) {
+            if (illuminant.startsWith("FL")) this.withLines.add(name);
+        }
         if (this.store.get().view !== null) return;
         const shape = schema.shapes.find(({ name }) => name === "ball") ?? schema.shapes[0];
         if (shape !== undefined) this.setShape(schema, shape.name, true);
@@ -245,6 +253,8 @@ export class Viewer {
 
     private refresh(): void {
         clearTimeout(this.timer);
+        const light = this.store.get().view?.light ?? "";
+        this.store.set({ enough: this.withLines.has(light) ? SAMPLES : ENOUGH });
         if (this.underWay?.job.quick === true) {
             this.quickWanted = true;
             return;

@@ -59,10 +59,26 @@ test("A is made whole where a draft of it was kept", async () => {
     session.close();
 });
 
+test("in a light with lines the path tracer's picture is shown when it is whole", () => {
+    const session = new Session(new FakeServer().connect, () => undefined);
+    const viewer = new Viewer(session);
+    const lights = [
+        { name: "studio", title: "Studio", illuminant: "D65" },
+        { name: "booth-fl11", title: "Booth, FL11", illuminant: "FL11" },
+    ];
+    viewer.begin({ ...WITH_BALL, lights });
+    assert.equal(viewer.store.get().enough, 16);
+    viewer.setView({ light: "booth-fl11" });
+    assert.equal(viewer.store.get().enough, 64);
+    viewer.setView({ light: "studio" });
+    assert.equal(viewer.store.get().enough, 16);
+    session.close();
+});
+
 test("the path tracer's picture covers the live one when it is of use, but not its marks", () => {
     const view = { shape: "ball" } as unknown as ViewerState["view"];
     const picture = { samples: 16, of: 64, recipe: PAINT, view } as ViewerState["picture"];
-    const state = { picture, recipe: PAINT, view, liveSamples: 3, gamutWarning: false };
+    const state = { picture, recipe: PAINT, view, liveSamples: 3, gamutWarning: false, enough: 16 };
     const all = state as unknown as ViewerState;
     assert.ok(covers(all));
     assert.ok(!covers({ ...all, recipe: OTHER }), "of another paint");
