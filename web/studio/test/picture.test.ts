@@ -131,3 +131,59 @@ test("single flakes are seen, or their mean", async () => {
     await page.waitForSelector("canvas.live.now");
     assert.ok((await contrast("canvas.traced")) > 0.2);
 });
+
+/** Green as no display shows it: white pigment in a dye that lets 490 to 555 nm through. */
+const DEEP_GREEN = `ior = 1.5
+[[layer]]
+thickness_um = 40
+[[layer.pigment]]
+scattering_per_mm = 300
+anisotropy = 0
+[layer.pigment.absorption_per_mm]
+wavelengths_nm = [400, 485, 500, 545, 560, 700]
+values = [800, 800, 1, 1, 800, 800]
+`;
+
+test("colours outside of sRGB are marked by stripes, where one asks for them", async () => {
+    await open();
+    await page.evaluate((text) => {
+        const data = new DataTransfer();
+        data.setData("text", text);
+        document.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data }));
+    }, DEEP_GREEN);
+    await page.waitForSelector(".composition :text('Pigment')");
+    await settled();
+    /** Of the middle of the ball, how much has the grey of the stripes. */
+    const striped = () =>
+        page.$eval("canvas.live", (element) => {
+            const side = 48;
+            const copy = document.createElement("canvas");
+            copy.width = copy.height = side;
+            const { width, height } = element as HTMLCanvasElement;
+            const context = copy.getContext("2d");
+            context?.drawImage(
+                element as HTMLCanvasElement,
+                (side - width) / 2,
+                (side - height) / 2,
+            );
+            const { data } = context?.getImageData(0, 0, side, side) ?? { data: [] };
+            let count = 0;
+            for (let i = 0; i < data.length; i += 4) {
+                const pixel = [data[i], data[i + 1], data[i + 2]];
+                if (pixel.every((x) => x === 127 || x === 128)) ++count;
+            }
+            return count / (side * side);
+        });
+    const becomes = async (least: number, most: number) => {
+        let now = await striped();
+        for (let i = 0; i < 240 && !(now >= least && now <= most); ++i) {
+            await page.waitForTimeout(250);
+            now = await striped();
+        }
+        assert.ok(now >= least && now <= most, `${String(now)} of the picture`);
+    };
+    await page.check("text=Mark");
+    await becomes(0.2, 0.45); // a third
+    await page.uncheck("text=Mark");
+    await becomes(0, 0.02);
+});
