@@ -106,6 +106,15 @@ struct BinderIndex {
     FloatLanes each = splat(1.0f);
 };
 
+/// Optical depths of layers of flakes: extinctions along one direction times the thickness along the
+/// normal. Light crosses them divided by its cosine to the normal of the layers.
+struct FlakeDepths {
+    FloatLanes flakes{};     ///< what meets flakes and does not pass straight on
+    FloatLanes mirrored{};   ///< of it, what they reflect
+    FloatLanes pigments{};   ///< scattered or absorbed by pigments
+    FloatLanes swallowed{};  ///< of it, what they absorb
+};
+
 /// The piece of a surface that one sample of a picture looks at, in the terms that the surface
 /// needs (SurfaceCoordinates). Surfaces that show single flakes depend on it.
 struct Patch {
@@ -215,8 +224,15 @@ class BoundBsdf {
     virtual FloatLanes coat_depth() const { return FloatLanes{}; }
     /// What of eval() was scattered more than once, or by the ground, above the horizon.
     virtual FloatLanes scattered_again(Vec3f /*wi*/, Vec3f /*wo*/) const { return FloatLanes{}; }
-    /// Of it, what left the coat when it first met the interface from inside.
-    virtual FloatLanes unreturned(Vec3f wi, Vec3f wo) const { return scattered_again(wi, wo); }
+    /// Of it, what has met the ground: all that lies below the lowest flakes.
+    virtual FloatLanes from_ground(Vec3f /*wi*/, Vec3f /*wo*/) const { return FloatLanes{}; }
+    /// Of the rest, what left the coat when it first met the interface from inside.
+    virtual FloatLanes unreturned(Vec3f wi, Vec3f wo) const {
+        return scattered_again(wi, wo) - from_ground(wi, wo);
+    }
+    /// Of the layers down to the lowest flakes.
+    /// @param cosine  inside, to the flakes' mean normal; > 0
+    virtual FlakeDepths flake_depths(float /*cosine*/) const { return {}; }
 
     /// Of surfaces whose coat is thicker at some places than at others (VariedCoat): for directions
     /// above the horizon, where the thickness deviates from its mean by so many standard

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -15,25 +16,46 @@ namespace nacre::bsdf {
 /// A paint whose flakes lean, by one whose flakes lie flat: seen from the frame of the leaning flakes,
 /// theirs lie flat and it is the coat that is tilted (TiltedCoat).            [docs/flakes.md]
 ///
-/// What that does to the layers is put right for light that meets one flake. Flakes that lie flat block
-/// a path by the cosine c' to their normal, so that of semi-infinite flakes f ~ 1 / (c'_i mu_o + c'_o mu_i)
-/// with mu the cosines to the layer's normal, where the tilted coat's own are c' as well:
+/// What that does to the layers is put right for light that meets one flake. Flakes block a path by
+/// sigma(c'), c' its cosine to their normal, and light crosses the layer by 1/mu, mu its cosine to the
+/// layer's, which of the tilted coat's own is c' as well:
 ///
-///     single(wi, wo) = flat_single(wi', wo') T(t_i) / T'_i  T(t_o) / T'_o  2 / (mu_i / c'_i + mu_o / c'_o)
+///     single(wi, wo) = flat_single(wi', wo') T(t_i) / T'_i  T(t_o) / T'_o
+///                      c'_i c'_o / (mu_i mu_o)  E(s_i / mu_i + s_o / mu_o) / E(s_i / c'_i + s_o / c'_o)
 ///
-/// with wi', wo' outside a flat coat over flat flakes, and what the clear coat absorbs along mu in place
-/// of c'. Light that was scattered again, by flakes in turn, pigments or the ground, is the flat paint's
-/// in the same directions, without the last factor, if it left when it first met the interface. What the
-/// interface had sent back met flakes on both sides of that mirror: mirrored at the flakes' mean m, the
-/// coat's n and m again it comes from a normal 2 m - n, and is the flat paint's in the frame of flakes that
-/// lean twice as much.
+/// with wi', wo' outside a flat coat over flat flakes, s the optical depth sigma(c') times the thickness,
+/// E(x) = (1 - e^-x) / x, and what the clear coat absorbs along mu in place of c'. Light that was scattered
+/// again by flakes and pigments is the flat paint's in the same directions, without the last line, if it
+/// left when it first met the interface. What the interface had sent back met flakes on both sides of that
+/// mirror: mirrored at the flakes' mean m, the coat's n and m again it comes from a normal 2 m - n, and is
+/// the flat paint's in the frame of flakes that lean twice as much.
+///
+/// Light that has met the ground passes flakes on its way in and on its way out, each by the transmittance
+/// of all flakes for light of that direction, scattered or not. With rho = mu / c' of light on its way down
+/// and rho* that of its mirror image at m on its way up, light among mirrors obeys
+///
+///     rho dI/dz = -s I + r I*,     rho* dI*/dz = s I* - r I,
+///
+/// r what s reflects, and is e^(kappa z) times a solution of flakes that lie flat, with
+/// kappa = s (1/rho* - 1/rho) / 2, s (1/rho* + 1/rho) / 2 in place of s and r / sqrt(rho rho*) of r. Of
+/// light that passes
+///
+///     t = e^kappa / (cosh g + s sinh(g) / g),     g^2 = s^2 - r^2,
+///
+/// and from_ground() is the flat paint's times t here over t there, in and out. The interface is met by what
+/// flakes mirror upwards: it is asked in the frame of flakes that lean twice as much. What it sends down
+/// again makes the ground brighter by A, told by from_ground() there over that along the normal. Flakes
+/// mirror sqrt(rho* / rho) as much up to it as flat ones do, so that A is 1 / (1 - (1 - 1/A) sqrt(rho* / rho))
+/// here: both are divided by A - (A - 1) sqrt(rho* / rho).
 ///
 /// Inside, directions beyond the critical angle of flakes that lie flat leave where the flakes lean. The flat
 /// paint has no such direction and is asked, for what met one flake, with the pair of the same half vector
-/// that is just as far apart as it can leave: the same flakes, lit and seen less obliquely.
+/// that is just as far apart as it can leave: the same flakes, lit and seen less obliquely. What the
+/// interface returns of a lobe is odd about the critical angle: light from the ground is asked there, twice,
+/// less that of the direction as far on its other side.
 ///
 /// f is as reciprocal as the paint that is asked, and holds to first order in the tilt but for how much
-/// light was scattered again, which is of the flat paint.
+/// light flakes and pigments scattered again, which is of the flat paint.
 class LeaningFlakes final : public BoundBsdf {
  public:
     /// The flakes' mean normal and the frame around it, into which it is the shortest turn.
@@ -108,6 +130,15 @@ class LeaningFlakes final : public BoundBsdf {
      protected:
         const BoundBsdf& flat_;
     };
+    /// A direction by one or two of the flat paint's, weighted, in the frame that leans twice as much.
+    struct GroundRays {
+        int count = 0;
+        std::array<Vec3f, 2> w;
+        std::array<FloatLanes, 2> factor;
+    };
+    GroundRays ground_rays(Vec3f w) const;
+    FloatLanes from_ground_here(Vec3f wi, Vec3f wo) const;
+
     struct Again final : PartOf {
         using PartOf::PartOf;
         FloatLanes eval(Vec3f wi, Vec3f wo) const override { return flat_.scattered_again(wi, wo); }
@@ -135,12 +166,14 @@ class LeaningFlakes final : public BoundBsdf {
     /// @param flat    (wi, wo): f of the flat paint
     template <class Flat>
     FloatLanes righted(const FloatLanes& tilted, Vec3f wi, Vec3f wo, const Flat& flat) const;
-    /// By which light differs from that of the coat in the frame of a lean: what met one flake, and the
-    /// rest.
-    struct Factors {
-        FloatLanes once{}, again{};
-    };
-    Factors factors(const Lean& lean, Vec3f wi, Vec3f wo) const;
+    /// By which light that was scattered again differs from that of the coat in the frame of a lean.
+    FloatLanes again_factor(const Lean& lean, Vec3f wi, Vec3f wo) const;
+    /// Of light that met one flake, over again_factor().
+    FloatLanes once_over_again(Vec3f wi, Vec3f wo) const;
+    /// Of layers of flakes, c'_i c'_o / (mu_i mu_o) E() / E() as above.
+    /// @param true_i, true_o   inside
+    /// @param cosine_i, cosine_o  of the directions that are asked, to the flakes' mean
+    FloatLanes seen_once(Vec3f true_i, Vec3f true_o, float cosine_i, float cosine_o) const;
     template <class Flat>
     std::optional<BsdfSample> turned(std::optional<BsdfSample> sample, Vec3f wi,
                                      const Flat& flat) const;

@@ -44,6 +44,11 @@ class VariedCoat final : public BoundBsdf {
     FloatLanes scattered_again(Vec3f wi, Vec3f wo) const override {
         return changed(mean_.scattered_again(wi, wo), wi, wo);
     }
+    /// What the interface returns on its way, through the coat once more, is left to the rest.
+    FloatLanes from_ground(Vec3f wi, Vec3f wo) const override {
+        return mean_.from_ground(wi, wo) * mean_.coat_factor(wi, wo, deviation_);
+    }
+    FlakeDepths flake_depths(float cosine) const override { return mean_.flake_depths(cosine); }
     /// Crosses the coat once in and once out.
     FloatLanes unreturned(Vec3f wi, Vec3f wo) const override {
         return mean_.unreturned(wi, wo) * mean_.coat_factor(wi, wo, deviation_);

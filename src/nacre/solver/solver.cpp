@@ -325,6 +325,22 @@ SolvedPaint solve_without_internal_reflection(const SolvedPaint& paint, const Pr
     return out;
 }
 
+PaintMedium without_ground(const PaintMedium& paint) {
+    PaintMedium out = paint;
+    while (!out.layers.empty() && out.layers.back().flakes.empty()) out.layers.pop_back();
+    std::fill(out.substrate_reflectance.begin(), out.substrate_reflectance.end(), 0.0);
+    return out;
+}
+
+SolvedPaint solve_without_ground(const SolvedPaint& paint, const Progress& progress) {
+    SolvedPaint out;
+    out.recipe = paint.recipe;
+    out.settings = paint.settings;
+    out.medium = without_ground(paint.medium);
+    solve_medium(out, progress);
+    return out;
+}
+
 std::size_t memory_to_solve(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,
                             const SolverSettings& settings) {
     // What flakes reflect does not matter: not computing it takes no time, and all wavelengths

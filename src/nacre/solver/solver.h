@@ -33,6 +33,14 @@ SolvedPaint solve_with_coat(const SolvedPaint& paint, double factor, const Progr
 SolvedPaint solve_without_internal_reflection(const SolvedPaint& paint,
                                               const Progress& progress = {});
 
+/// The flakes of `paint` alone: without the layers below the lowest of them, over a substrate that reflects
+/// nothing. What `paint` has more light the ground has scattered.
+PaintMedium without_ground(const PaintMedium& paint);
+
+/// The same, solved anew. The recipe is that of `paint`.
+/// @throws as solve()
+SolvedPaint solve_without_ground(const SolvedPaint& paint, const Progress& progress = {});
+
 /// The memory in bytes that solve() allocates at its peak with the nodes and orders that it starts
 /// with; more where it finds that they do not resolve the paint.
 /// @throws as solve()

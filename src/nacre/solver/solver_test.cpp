@@ -212,6 +212,20 @@ TEST(Solver, WithoutInternalReflectionLightLeavesWhenItFirstMeetsTheInterface) {
               std::string::npos);
 }
 
+TEST(Solver, WithoutTheGroundTheFlakesAreOverBlack) {
+    paint::Recipe recipe = flake_paint(0.1, 0.6, 0, 1, 1.5);
+    const SolvedPaint black = solve(recipe, kOneWavelength);
+    EXPECT_EQ(without_ground(black.medium), black.medium);
+    recipe.substrate_reflectance = 0.8;
+    recipe.layers.push_back({30, {}, {{paint::PigmentCoefficients{200.0, 1.0, 0.3}}}});
+    const SolvedPaint whole = solve(recipe, kOneWavelength);
+    const SolvedPaint alone = solve_without_ground(whole);
+    EXPECT_EQ(alone.medium, black.medium);
+    EXPECT_EQ(alone.multiple_scattering, black.multiple_scattering);
+    EXPECT_GT(whole.brdf(0.5, 0.2, 1, Part::total)[0],
+              1.2 * alone.brdf(0.5, 0.2, 1, Part::total)[0]);
+}
+
 TEST(Solver, StopsWhileFilmsAreComputed) {
     paint::Recipe recipe = flake_paint(0.1, 0.6, 0, 1, 1.5);
     recipe.layers[0].flakes[0].body = optics::Platelet{{optics::find_material("mica"), 500, {100}},

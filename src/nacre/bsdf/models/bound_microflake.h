@@ -14,7 +14,9 @@
 #include "nacre/bsdf/flake_lobe.h"
 #include "nacre/bsdf/models/coat_spread.h"
 #include "nacre/bsdf/models/direction_tables.h"
+#include "nacre/bsdf/models/leaning_tables.h"
 #include "nacre/bsdf/models/microflake.h"
+#include "nacre/bsdf/models/ray.h"
 #include "nacre/bsdf/reflection_warp.h"
 #include "nacre/bsdf/smooth_table.h"
 #include "nacre/bsdf/wavelength_lanes.h"
@@ -36,15 +38,6 @@ struct SamplingProbabilities {
     float single = 0;
 };
 
-/// Of a paint whose flakes lean: what left the coat when it first met the interface from inside.
-struct Unreturned {
-    /// @throws as solver::solve_without_internal_reflection()
-    Unreturned(const solver::SolvedPaint& paint, SharedProgress& work);
-
-    solver::SolvedPaint paint;
-    SmoothTable table;
-};
-
 struct Microflake::Tables {
     explicit Tables(std::shared_ptr<const solver::SolvedPaint> solved);
     /// @param extinction_per_um  extinction_by_direction() of its medium, where that is known
@@ -57,7 +50,7 @@ struct Microflake::Tables {
     SmoothTable smooth;
     std::vector<std::vector<float>> extinction;  ///< extinction_by_direction()
     std::optional<CoatSpread> coat_spread;       ///< none where the coat is even
-    std::optional<Unreturned> unreturned;        ///< none where no flakes lean
+    std::optional<LeaningTables> leaning;        ///< none where no flakes lean
     // Filled by tabulate_sampling(), which needs the model itself.
     std::shared_ptr<const ReflectionWarp> warp;      ///< all but the interface
     std::vector<SamplingProbabilities> probability;  ///< by direction
@@ -129,25 +122,6 @@ struct BoundLayer {
     std::vector<BoundPigment> pigments;
 };
 
-// One direction, and what evaluation and sampling both need of it.
-struct Ray {
-    Vec3f outside, inside;  ///< inside: refracted with the mean index
-    float sine, x;          ///< outside: sin theta, tan(theta/2)
-    int row;                ///< of the direction tables
-    float fraction;
-
-    /// A function of direction between its rows.
-    template <class T>
-    T look_up(const std::vector<T>& table) const {
-        return table[row] + fraction * (table[row + 1] - table[row]);
-    }
-};
-
-/// @param w  outside, in the upper hemisphere
-Ray make_ray(Vec3f w, float inverse_mean_ior);
-/// @param theta, phi  of that direction
-Ray make_ray(double theta, double phi, float inverse_mean_ior);
-
 /// Which flakes scatter once: all of them, as their mean.
 ///
 /// Any class with this function may take its place: the factor by which the single scattering of a
@@ -181,7 +155,9 @@ class BoundMicroflake : public BoundBsdf {
     BinderIndex binder_index() const override { return {mean_ior_, ior_}; }
     FloatLanes coat_depth() const override { return clearcoat_depth_; }
     FloatLanes scattered_again(Vec3f wi, Vec3f wo) const override;
+    FloatLanes from_ground(Vec3f wi, Vec3f wo) const override;
     FloatLanes unreturned(Vec3f wi, Vec3f wo) const override;
+    FlakeDepths flake_depths(float cosine) const override;
     CoatChange coat_change(Vec3f wi, Vec3f wo, float deviation) const override;
     FloatLanes coat_factor(Vec3f wi, Vec3f wo, float deviation) const override;
     /// The lobe of a rough interface, part of eval(); 0 of a smooth one.
@@ -201,13 +177,15 @@ class BoundMicroflake : public BoundBsdf {
     /// Of value() under a smooth interface, all but the single scattering.
     template <class Flakes>
     FloatLanes multiple_value(const Ray& i, const Ray& o, const Flakes& flakes) const {
-        return multiple_value(smooth_, i, o, flakes);
+        FloatLanes smooth = tabulated(smooth_, i, o);
+        if constexpr (requires { flakes.multiple(smooth); }) smooth = flakes.multiple(smooth);
+        return smooth * interface_factor(i, o);
     }
-    /// Of that, unreturned().
+    /// Of that, from_ground() and unreturned().
     template <class Flakes>
-    FloatLanes unreturned_value(const Ray& i, const Ray& o, const Flakes& flakes) const {
-        return multiple_value(unreturned_.empty() ? smooth_ : unreturned_, i, o, flakes);
-    }
+    FloatLanes ground_value(const Ray& i, const Ray& o, const Flakes& flakes) const;
+    template <class Flakes>
+    FloatLanes unreturned_value(const Ray& i, const Ray& o, const Flakes& flakes) const;
 
     const SamplingProbabilities& probabilities_at(const Ray& i) const;
     /// Per solid angle outside, of draw() with these probabilities.
@@ -272,11 +250,12 @@ class BoundMicroflake : public BoundBsdf {
     void bind_rough_interface();
     void bind_layers();
 
+    /// Of a table without the ground.
     template <class Flakes>
-    FloatLanes multiple_value(const std::vector<FloatLanes>& table, const Ray& i, const Ray& o,
-                              const Flakes& flakes) const {
+    FloatLanes groundless_value(const std::vector<FloatLanes>& table, const Ray& i, const Ray& o,
+                                const Flakes& flakes) const {
         FloatLanes smooth = tabulated(table, i, o);
-        if constexpr (requires { flakes.multiple(smooth); }) smooth = flakes.multiple(smooth);
+        if constexpr (requires { flakes.closing(); }) smooth *= flakes.closing();
         return smooth * interface_factor(i, o);
     }
     template <class Flakes>
@@ -314,7 +293,7 @@ class BoundMicroflake : public BoundBsdf {
     std::array<WavelengthPosition, kLanes> where_;
     SmoothGrid grid_;
     std::vector<FloatLanes> smooth_;
-    std::vector<FloatLanes> unreturned_;  // empty where no flakes lean
+    std::optional<BoundLeaningTables> leaning_;  // none where no flakes lean
     BoundCoatSpread coat_spread_;
     std::vector<BoundLayer> layers_;
     FloatLanes clearcoat_depth_, ior_, inverse_ior2_;
@@ -470,6 +449,23 @@ FloatLanes BoundMicroflake::rough_ratio(const Ray& i, const Ray& o, const Flakes
     }
     const FloatLanes some = once(i, o, flakes);
     return all > kDark ? some / max_lanes(all, splat(kDark)) : splat(kNothing);
+}
+
+template <class Flakes>
+FloatLanes BoundMicroflake::ground_value(const Ray& i, const Ray& o, const Flakes& flakes) const {
+    if (!leaning_ || leaning_->over_black.empty()) return FloatLanes{};
+    // The difference of two solutions holds no light that is not well above their errors.
+    constexpr float kSeen = 1e-3f;
+    const FloatLanes all = multiple_value(i, o, flakes);
+    const FloatLanes ground = all - groundless_value(leaning_->over_black, i, o, flakes);
+    return ground > kSeen * all ? ground : FloatLanes{};
+}
+
+template <class Flakes>
+FloatLanes BoundMicroflake::unreturned_value(const Ray& i, const Ray& o,
+                                             const Flakes& flakes) const {
+    if (!leaning_) return multiple_value(i, o, flakes);
+    return groundless_value(leaning_->unreturned, i, o, flakes);
 }
 
 template <class Flakes>

@@ -138,7 +138,7 @@ Microflake::Microflake(std::shared_ptr<const solver::SolvedPaint> paint, std::ui
     if (thickness_ || lean_) {
         SharedProgress work(progress, 1);
         if (thickness_) tables->coat_spread.emplace(*tables->paint, false, work);
-        if (lean_) tables->unreturned.emplace(*tables->paint, work);
+        if (lean_) tables->leaning.emplace(*tables->paint, work);
     }
     tabulate_sampling(*tables, [&](const Wavelengths& wavelengths_nm) {
         return std::make_unique<const BoundMicroflake>(tables, wavelengths_nm);
@@ -175,10 +175,6 @@ bool has_rough_interface(const solver::SolvedPaint& paint) {
 
 float mean_ior(const solver::PaintMedium& medium) { return static_cast<float>(mean(medium.ior)); }
 
-Unreturned::Unreturned(const solver::SolvedPaint& whole, SharedProgress& work)
-    : paint(solver::solve_without_internal_reflection(whole, [&](double) { return work.ask(); })),
-      table(smooth_table(paint)) {}
-
 Microflake::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> solved)
     : Tables(solved, extinction_by_direction(solved->medium)) {}
 
@@ -197,9 +193,7 @@ BoundMicroflake::BoundMicroflake(std::shared_ptr<const Microflake::Tables> table
       grid_(tables_->smooth.grid()) {
     const solver::SolvedPaint& paint = *tables_->paint;
     smooth_ = bind_table(tables_->smooth, paint, where_);
-    if (tables_->unreturned) {
-        unreturned_ = bind_table(tables_->unreturned->table, tables_->unreturned->paint, where_);
-    }
+    if (tables_->leaning) leaning_.emplace(*tables_->leaning, where_);
     if (tables_->coat_spread) coat_spread_ = BoundCoatSpread(*tables_->coat_spread, where_);
     clearcoat_depth_ =
         at_wavelengths(where_, [&](int w) { return paint.medium.clearcoat_depth[w]; });
@@ -406,6 +400,14 @@ FloatLanes BoundMicroflake::eval(Vec3f wi, Vec3f wo) const {
 
 FloatLanes BoundMicroflake::scattered_again(Vec3f wi, Vec3f wo) const {
     return multiple_value(make_ray(wi), make_ray(wo), MeanFlakes{});
+}
+
+FloatLanes BoundMicroflake::from_ground(Vec3f wi, Vec3f wo) const {
+    return ground_value(make_ray(wi), make_ray(wo), MeanFlakes{});
+}
+
+FlakeDepths BoundMicroflake::flake_depths(float cosine) const {
+    return leaning_ ? leaning_->depths(cosine) : FlakeDepths{};
 }
 
 FloatLanes BoundMicroflake::unreturned(Vec3f wi, Vec3f wo) const {

@@ -125,7 +125,7 @@ Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const Na
         first_species.push_back(before);
         before += layer.flakes.size();
     }
-    if (paint->recipe.flake_lean()) smooth->unreturned.emplace(*paint, work);
+    if (paint->recipe.flake_lean()) smooth->leaning.emplace(*paint, work);
     if (paint->recipe.coat_spread() > 0) {
         const CoatSpread& spread = smooth->coat_spread.emplace(*paint, settings.hot_spot, work);
         if (settings.hot_spot && !smooth->rough) {

@@ -59,6 +59,7 @@ class BoundNacre::WithHotSpot {
     FloatLanes multiple(const FloatLanes& multiple) const {
         return pair_ ? pair_->multiple(multiple) : multiple;
     }
+    FloatLanes closing() const { return pair_ ? pair_->closing() : splat(1.0f); }
     // What the table of single scattering under a rough clearcoat holds.
     const WithHotSpot& mean() const { return *this; }
 
@@ -452,6 +453,12 @@ FloatLanes BoundNacre::scattered_again(Vec3f wi, Vec3f wo) const {
     const Ray i = make_ray(wi), o = make_ray(wo);
     if (!hot_spot_) return multiple_value(i, o, MeanFlakes{});
     return multiple_value(i, o, WithHotSpot(*this, i, o));
+}
+
+FloatLanes BoundNacre::from_ground(Vec3f wi, Vec3f wo) const {
+    const Ray i = make_ray(wi), o = make_ray(wo);
+    if (!hot_spot_) return ground_value(i, o, MeanFlakes{});
+    return ground_value(i, o, WithHotSpot(*this, i, o));
 }
 
 FloatLanes BoundNacre::unreturned(Vec3f wi, Vec3f wo) const {

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "nacre/bsdf/smooth_table.h"
+#include "nacre/bsdf/wavelength_lanes.h"
+#include "nacre/core/progress.h"
+#include "nacre/solver/solved_paint.h"
+
+// What LeaningFlakes asks a paint whose flakes lie flat, beyond its light as a whole.
+
+namespace nacre::bsdf {
+
+struct LeaningTables {
+    /// @throws as solver::solve_without_internal_reflection()
+    LeaningTables(const solver::SolvedPaint& paint, SharedProgress& work);
+
+    /// A solution and its table, on the grid of the paint's own.
+    struct Part {
+        explicit Part(solver::SolvedPaint solved);
+        solver::SolvedPaint paint;
+        SmoothTable table;
+    };
+    /// Without the ground; none where that reflects nothing.
+    std::optional<Part> over_black;
+    /// Without the ground: what left the coat when it first met the interface from inside.
+    Part unreturned;
+
+    /// FlakeDepths of even cosines from 0 to 1: [cosine][wavelength], and by wavelength.
+    static constexpr int kCosineIntervals = 64;
+    std::vector<float> flakes, mirrored, pigments, swallowed;
+
+ private:
+    void tabulate_depths(const solver::PaintMedium& medium);
+};
+
+/// The same at eight wavelengths.
+class BoundLeaningTables {
+ public:
+    BoundLeaningTables(const LeaningTables& tables,
+                       const std::array<WavelengthPosition, kLanes>& where);
+
+    FlakeDepths depths(float cosine) const;
+
+    std::vector<FloatLanes> over_black;  ///< empty where the ground reflects nothing
+    std::vector<FloatLanes> unreturned;
+
+ private:
+    std::vector<FloatLanes> flakes_, mirrored_;  // by cosine
+    FloatLanes pigments_, swallowed_;
+};
+
+}  // namespace nacre::bsdf
