@@ -243,6 +243,34 @@ TEST(LeaningFlakes, SamplesAreWorthTheirValueOverTheirDensity) {
 
 // In the mean over all directions flakes that lean let more of the ground's light pass, by the square of
 // the tilt, and how often the ground has it back is of the flat paint: so much light is made.
+TEST(LeaningFlakes, SamplesAreWorthAboutTheSame) {
+    // What only few samples find, beyond the critical angle of the flat paint, is grain in pictures: with a
+    // thirty-second of the samples for it the ratio was 4.4.
+    Rng rng(8);
+    constexpr int kCount = 20'000;
+    double worst = 0;
+    for (const Vec2f t : kTangents) {
+        for (const double azimuth : {0.0, 90.0, 180.0, 270.0}) {
+            const LeaningFlakes leaning(tinted_metallic(), Lean(t));
+            double sum = 0, squares = 0;
+            int count = 0;
+            for (int i = 0; i < kCount; ++i) {
+                const auto s = leaning.sample(direction(60, azimuth), rng.uniform_float(),
+                                              {rng.uniform_float(), rng.uniform_float()});
+                if (s && s->kind == SampleKind::specular) continue;
+                ++count;
+                if (!s) continue;
+                const double weight = lane_mean(s->weight);
+                sum += weight;
+                squares += weight * weight;
+            }
+            worst = std::max(worst, squares * count / (sum * sum));
+        }
+    }
+    std::printf("[ measured ] mean square of weights over square of their mean: %.2f\n", worst);
+    EXPECT_LT(worst, 2.8);
+}
+
 TEST(LeaningFlakes, GiveBackTheLightButForTheirTilt) {
     static const LeaningPaint lossless(
         test::paint_of(1.5, {test::flake_layer(1.5, 0.15, 0.7, 0.3)}, 1.0));

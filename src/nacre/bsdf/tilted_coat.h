@@ -96,6 +96,7 @@ class TiltedCoat final : public BoundBsdf {
     BinderIndex index_;
     Vec3f normal_;
     Vec3f mean_{0, 0, 1};  // the normal of the mean surface
+    float around_;         // fraction of the samples that are spread over the tilted hemisphere
 };
 
 }  // namespace nacre::bsdf
