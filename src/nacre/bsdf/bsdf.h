@@ -230,8 +230,8 @@ class BoundBsdf {
     virtual FloatLanes unreturned(Vec3f wi, Vec3f wo) const {
         return scattered_again(wi, wo) - from_ground(wi, wo);
     }
-    /// Of the layers down to the lowest flakes.
-    /// @param cosine  inside, to the flakes' mean normal; > 0
+    /// Of the layers down to the lowest flakes, for light whose cosine inside to the flakes' mean normal,
+    /// above 0, is given.
     virtual FlakeDepths flake_depths(float /*cosine*/) const { return {}; }
 
     /// Of surfaces whose coat is thicker at some places than at others (VariedCoat): for directions
