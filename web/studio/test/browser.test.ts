@@ -268,6 +268,37 @@ test("lists to choose from are seen whole, wherever their button is", async () =
     }
 });
 
+test("a list stays with its button when the form scrolls, until the button is out of sight", async () => {
+    await open();
+    const button = page.getByRole("button", { name: "Add a pigment" });
+    await button.scrollIntoViewIfNeeded();
+    await button.click();
+    const list = page.getByRole("listbox", { name: "Add a pigment" });
+    const scroll = (by: number) =>
+        button.evaluate((element, by) => {
+            let pane: Element | null = element;
+            while (pane !== null && pane.scrollTop === 0) pane = pane.parentElement;
+            pane?.scrollBy(0, by);
+            return new Promise<boolean>((resolve) =>
+                requestAnimationFrame(() =>
+                    requestAnimationFrame(() => {
+                        resolve(pane !== null);
+                    }),
+                ),
+            );
+        }, by);
+    const gap = async () => {
+        const [its, from] = [await list.boundingBox(), await button.boundingBox()];
+        assert.ok(its && from);
+        return its.y < from.y ? from.y - its.y - its.height : its.y - from.y - from.height;
+    };
+    const before = await gap();
+    assert.ok(await scroll(-40));
+    assert.ok(Math.abs((await gap()) - before) < 0.5, String(await gap()));
+    await scroll(-5000);
+    await list.waitFor({ state: "detached" });
+});
+
 test("the address holds the paint and its locks", async () => {
     await open();
     await type(FILM, "250");

@@ -70,20 +70,27 @@ export function Picker(props: {
     // At once, so that keys that follow are the list's.
     useLayoutEffect(() => {
         if (!open || list.current === null || button.current === null) return;
-        place(list.current, button.current);
-        list.current.focus({ preventScroll: true });
-        const outside = (event: Event) => {
+        const [its, from] = [list.current, button.current];
+        place(its, from);
+        its.focus({ preventScroll: true });
+        const outside = (event: PointerEvent) => {
             if (root.current?.contains(event.target as Node) !== true) setOpen(false);
         };
-        const moved = () => {
-            setOpen(false);
+        // Followed, not closed: the last of a scroll may arrive after the click that opened the list.
+        const moved = (event: Event) => {
+            if (event.target !== its) place(its, from);
         };
+        const gone = new IntersectionObserver(([button]) => {
+            if (button?.isIntersecting === false) setOpen(false);
+        });
+        gone.observe(from);
         document.addEventListener("pointerdown", outside);
-        document.addEventListener("scroll", outside, true);
+        document.addEventListener("scroll", moved, true);
         addEventListener("resize", moved);
         return () => {
+            gone.disconnect();
             document.removeEventListener("pointerdown", outside);
-            document.removeEventListener("scroll", outside, true);
+            document.removeEventListener("scroll", moved, true);
             removeEventListener("resize", moved);
         };
     }, [open]);
