@@ -102,6 +102,7 @@ test("the picture gets better, follows turning, and A is held beside B", async (
 });
 
 test("single flakes are seen, or their mean", async () => {
+    await page.setViewportSize({ width: 900, height: 560 }); // fewer pixels to trace
     await open();
     await page.selectOption("[aria-label='Shape']", "macro");
     /** Of the square root of the picture's variance to its mean. */
@@ -130,6 +131,7 @@ test("single flakes are seen, or their mean", async () => {
     await page.check("text=Sparkle");
     await page.waitForSelector("canvas.live.now");
     assert.ok((await contrast("canvas.traced")) > 0.2);
+    await page.setViewportSize({ width: 1280, height: 800 });
 });
 
 /** Green as no display shows it: white pigment in a dye that lets 490 to 555 nm through. */
