@@ -4,10 +4,10 @@
 #                [TEST_DEPENDS target...])
 #
 # Every .cpp beside the call, and in the FOLDERS below it, is part of the library nacre_NAME (alias
-# nacre::NAME), except x_test.cpp, which are gathered in the test program nacre_NAME_test. With a
-# COMPONENT the library is installed with that component of the package (cmake/Install.cmake);
-# without one it belongs to the programs of this project. LIGHT is a room that reads, writes and
-# calls the others, which do the arithmetic: it is compiled in nearly half the time.
+# nacre::NAME), except x_test.cpp and x_test_support.cpp, of which the test program nacre_NAME_test
+# is made. With a COMPONENT the library is installed with that component of the package
+# (cmake/Install.cmake); without one it belongs to the programs of this project. LIGHT is a room that
+# reads, writes and calls the others, which do the arithmetic: it is compiled in nearly half the time.
 
 add_library(nacre_options INTERFACE)
 add_library(nacre::options ALIAS nacre_options)
@@ -59,10 +59,10 @@ endfunction()
 function(nacre_module name)
   cmake_parse_arguments(ARG "LIGHT" "COMPONENT" "FOLDERS;DEPENDS;TEST_DEPENDS" ${ARGN})
   set(patterns *.cpp)
-  set(tests *_test.cpp)
+  set(tests *_test.cpp *_test_support.cpp)
   foreach(folder IN LISTS ARG_FOLDERS)
     list(APPEND patterns ${folder}/*.cpp)
-    list(APPEND tests ${folder}/*_test.cpp)
+    list(APPEND tests ${folder}/*_test.cpp ${folder}/*_test_support.cpp)
   endforeach()
   file(GLOB sources CONFIGURE_DEPENDS ${patterns})
   file(GLOB tests CONFIGURE_DEPENDS ${tests})

@@ -14,6 +14,20 @@ std::string contents(const std::filesystem::path& path) {
     return text.str();
 }
 
+std::string triangle(const std::string& buffer) {
+    return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
+           R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":)"
+           R"(0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],)"
+           R"("bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":")" +
+           buffer + "\"}]}";
+}
+
+std::string corners() {
+    std::string bytes(36, '\0');
+    for (const std::size_t at : {12, 28}) bytes.replace(at, 4, std::string("\0\0\x80\x3f", 4));
+    return bytes;
+}
+
 void Program::SetUp() {
     write("gray.toml", R"(ior = 1.5
 [[layer]]

@@ -28,6 +28,11 @@ struct Outcome {
 
 std::string contents(const std::filesystem::path& path);
 
+/// A glTF file of one triangle, whose corners stand in a file beside.
+std::string triangle(const std::string& buffer);
+/// Them: nine little-endian floats, (0,0,0), (1,0,0), (0,1,0).
+std::string corners();
+
 class Program : public ::testing::Test {
  protected:
     /// Puts a paint into the folder: gray.toml.
