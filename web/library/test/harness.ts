@@ -61,6 +61,7 @@ before(async () => {
         viewport: { width: 1280, height: 800 },
     });
     page = await context.newPage();
+    page.setDefaultTimeout(900_000); // what never comes is a failure, however slow the machine
     page.on("console", (message) => {
         if (message.type() === "error") faults.push(message.text());
     });

@@ -16,7 +16,7 @@ const faults: string[] = [];
 
 export async function newPage(): Promise<Page> {
     const made = await browser.newPage({ viewport: { width: 1280, height: 800 } });
-    made.setDefaultTimeout(120_000); // what never comes is a failure, not a hang
+    made.setDefaultTimeout(900_000); // what never comes is a failure, however slow the machine
     made.on("console", (message) => {
         if (message.type() === "error") faults.push(message.text());
     });

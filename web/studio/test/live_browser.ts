@@ -19,7 +19,7 @@ export class LiveBrowser {
         const browser = await launch();
         const context = await browser.newContext({ bypassCSP: true });
         const page = await context.newPage();
-        page.setDefaultTimeout(120_000); // what never comes is a failure, not a hang
+        page.setDefaultTimeout(900_000); // what never comes is a failure, however slow the machine
         // Any file of the studio's: the page itself would draw as well.
         await page.goto(studio.url.replace("/?", "/studio.css?"));
         const script = join(dirname(fileURLToPath(import.meta.url)), "live_page.mjs");

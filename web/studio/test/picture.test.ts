@@ -84,7 +84,7 @@ test("the picture gets better, follows turning, and A is held beside B", async (
     );
     // The live one is drawn on until it has a sample.
     const alike = async () => near(await mean("canvas.live"), first, 8);
-    for (let i = 0; i < 120 && !(await alike()); ++i) await page.waitForTimeout(500);
+    for (let i = 0; i < 1200 && !(await alike()); ++i) await page.waitForTimeout(500);
     assert.ok(await alike(), "live and path traced are of one paint");
     await page.focus(".turnable");
     for (let i = 0; i < 6; ++i) await page.keyboard.press("Shift+ArrowRight");
@@ -178,7 +178,7 @@ test("colours outside of sRGB are marked by stripes, where one asks for them", a
         });
     const becomes = async (least: number, most: number) => {
         let now = await striped();
-        for (let i = 0; i < 240 && !(now >= least && now <= most); ++i) {
+        for (let i = 0; i < 2400 && !(now >= least && now <= most); ++i) {
             await page.waitForTimeout(250);
             now = await striped();
         }

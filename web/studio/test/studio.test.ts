@@ -192,7 +192,7 @@ test("an atlas is asked for when sliders rest, and not for what it shows already
     studio.atlas.want(document.recipe, path, [1, 2], settings);
     studio.atlas.want(document.recipe, path, values, settings);
     assert.equal(server.received("atlas").length, 0);
-    await new Promise((resolve) => setTimeout(resolve, 400));
+    while (server.received("atlas").length === 0) await settle();
     const [coarse] = server.received("atlas");
     assert.deepEqual(coarse?.values, [10, 60, 70]);
     const colours = { geometries: ["45as15"], lab: [[]], rgb: [[]] };

@@ -26,7 +26,7 @@ const OTHER: Table = { ...PAINT, ior: 1.6 };
 
 /** The picture that was asked for last, finished. @return what was asked */
 async function answerRender(server: FakeServer, before: number) {
-    for (let i = 0; i < 100 && server.received("render").length === before; ++i) {
+    for (let i = 0; i < 3000 && server.received("render").length === before; ++i) {
         await new Promise((resolve) => setTimeout(resolve, 10));
     }
     const asked = server.received("render").at(-1);
