@@ -13,6 +13,17 @@ import { build } from "vite";
 const here = dirname(fileURLToPath(import.meta.url));
 const page = join(here, "..", "..", "src", "apps", "studio", "page");
 
+/** What the licences of the libraries in the page want to be kept with them. */
+async function notices() {
+    const { dependencies } = JSON.parse(await readFile(join(here, "package.json"), "utf8"));
+    const texts = Object.entries(dependencies).map(async ([name, version]) => {
+        const text = await readFile(join(here, "node_modules", name, "LICENSE"), "utf8");
+        if (text.includes("*/")) throw new Error(`the licence of ${name} ends the comment`);
+        return `${name} ${version}\n\n${text.trim()}`;
+    });
+    return ["Made from web/studio by its build.mjs, with:", ...(await Promise.all(texts))];
+}
+
 const jsx = { jsx: "automatic", jsxImportSource: "preact" };
 
 const tests = join(here, "node_modules", ".tests"); // where playwright-core is found
@@ -67,7 +78,7 @@ async function buildPage(check) {
         esbuild: {
             ...jsx,
             legalComments: "none",
-            banner: "/* Made from web/studio by its build.mjs. */",
+            banner: `/*\n${(await notices()).join("\n\n")}\n*/`,
         },
         build: {
             write: false,

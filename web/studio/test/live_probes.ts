@@ -1,7 +1,10 @@
 /** Runs in a page of the studio: what the shader of a paint makes of single flakes, number by number. */
 
-import { fill, Program } from "../src/renderer/gl";
+import type { WebGLRenderer } from "three";
+import { FloatType, RGBAIntegerFormat, UnsignedIntType, WebGLRenderTarget } from "three";
 import type { PaintShader } from "../src/renderer/paint";
+import { uniformValues } from "../src/renderer/paint";
+import { filled, Pass, rendererOn } from "../src/renderer/pass";
 import { EVERYWHERE, HEAD } from "../src/renderer/passes";
 import { shaderOf } from "./live_session";
 
@@ -18,10 +21,10 @@ export interface HashCase {
 /** A shader of the paint with a main() of its own, which writes to integers or floats. */
 class Probe {
     private constructor(
-        private readonly gl: WebGL2RenderingContext,
-        readonly program: Program,
+        private readonly renderer: WebGLRenderer,
+        readonly pass: Pass,
+        private readonly target: WebGLRenderTarget,
         private readonly floats: boolean,
-        private readonly outputs: number,
     ) {}
 
     static async of(
@@ -29,50 +32,32 @@ class Probe {
         main: string,
         { floats, outputs }: { floats: boolean; outputs: number },
     ): Promise<Probe> {
-        const gl = document.createElement("canvas").getContext("webgl2");
-        if (gl === null) throw new Error("there is no WebGL 2");
-        if (gl.getExtension("EXT_color_buffer_float") === null) throw new Error("no floats");
+        const renderer = rendererOn(document.createElement("canvas"));
         const text = `${HEAD}${paint.glsl}\nvec3 nacreRadiance(vec3 wo) { return wo; }\n${main}`;
-        const program = Program.begin(gl, EVERYWHERE, text);
-        while (!program.ready()) await new Promise(requestAnimationFrame);
-        program.use();
-        for (const { name, components, array, values } of paint.uniforms) {
-            program.floats(array ? `${name}[0]` : name, components, values);
+        const pass = new Pass(renderer, EVERYWHERE, text);
+        while (!pass.ready()) await new Promise(requestAnimationFrame);
+        pass.set(uniformValues(paint));
+        for (const { name, size, data } of paint.textures) {
+            const filtering = { linear: size.length === 3 };
+            pass.set({ [name]: filled(undefined, "rgba16f", size, data, filtering) });
         }
-        paint.textures.forEach(({ name, size, data }, unit) => {
-            gl.activeTexture(gl.TEXTURE0 + unit);
-            fill(gl, gl.createTexture(), "rgba16f", size, data, { linear: size.length === 3 });
-            program.int(name, unit);
+        const target = new WebGLRenderTarget(1, 1, {
+            count: outputs,
+            type: floats ? FloatType : UnsignedIntType,
+            ...(floats ? {} : { format: RGBAIntegerFormat }),
+            depthBuffer: false,
         });
-        gl.activeTexture(gl.TEXTURE0 + paint.textures.length);
-        gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
-        const attachments = Array.from({ length: outputs }, (_, k) => gl.COLOR_ATTACHMENT0 + k);
-        for (const attachment of attachments) {
-            const texture = gl.createTexture();
-            gl.bindTexture(gl.TEXTURE_2D, texture);
-            gl.texStorage2D(gl.TEXTURE_2D, 1, floats ? gl.RGBA32F : gl.RGBA32UI, 1, 1);
-            gl.framebufferTexture2D(gl.FRAMEBUFFER, attachment, gl.TEXTURE_2D, texture, 0);
-        }
-        gl.drawBuffers(attachments);
-        gl.viewport(0, 0, 1, 1);
-        return new Probe(gl, program, floats, outputs);
-    }
-
-    integers(name: string, [x, y, z, w]: readonly [number, number, number, number]): void {
-        this.gl.uniform4i(this.program.at(name), x, y, z, w);
+        return new Probe(renderer, pass, target, floats);
     }
 
     /** Of each output four numbers. */
     draw(): number[] {
-        const { gl } = this;
-        gl.drawArrays(gl.TRIANGLES, 0, 3);
-        return Array.from({ length: this.outputs }, (_, k) => {
-            gl.readBuffer(gl.COLOR_ATTACHMENT0 + k);
+        this.pass.draw(this.target);
+        return this.target.textures.flatMap((_, k) => {
             const out = this.floats ? new Float32Array(4) : new Uint32Array(4);
-            if (this.floats) gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.FLOAT, out);
-            else gl.readPixels(0, 0, 1, 1, gl.RGBA_INTEGER, gl.UNSIGNED_INT, out);
+            this.renderer.readRenderTargetPixels(this.target, 0, 0, 1, 1, out, 0, k);
             return Array.from(out);
-        }).flat();
+        });
     }
 }
 
@@ -98,8 +83,7 @@ void main() {
         bits.map((part) => part.toString(16).padStart(8, "0")).join("");
     return cases.map(({ level, side, u, v, n }) => {
         const part = (k: number) => parseInt(level.slice(12 - 4 * k, 16 - 4 * k), 16);
-        probe.integers("level", [part(0), part(1), part(2), part(3)]);
-        probe.integers("at", [side, u, v, n]);
+        probe.pass.set({ level: [part(0), part(1), part(2), part(3)], at: [side, u, v, n] });
         const [low = 0, high = 0, place = 0, kind = 0, a = 0, b = 0] = probe.draw();
         return [digits(high, low), digits(place), digits(kind), digits(b, a)];
     });
@@ -131,9 +115,7 @@ void main() {
     );
     return cases.map(({ place, kind, wi, wo }) => {
         const halves = (bits: number) => [bits & 0xffff, bits >>> 16] as const;
-        probe.integers("flake", [...halves(place), ...halves(kind)]);
-        probe.program.floats("wi", 3, wi);
-        probe.program.floats("wo", 3, wo);
+        probe.pass.set({ flake: [...halves(place), ...halves(kind)], wi, wo });
         return probe.draw().slice(0, 3);
     });
 }

@@ -1,7 +1,4280 @@
-/* Made from web/studio by its build.mjs. */
-var Xe,C,Hn,ee,Vt,Gn,Vn,st,Re,we,qn,kt,ht,dt,jn,We={},Ue=[],Os=/acit|ex(?:s|g|n|p|$)|rph|grid|ows|mnc|ntw|ine[ch]|zoo|^ord|itera/i,Ke=Array.isArray;function K(t,e){for(var n in e)t[n]=e[n];return t}function St(t){t&&t.parentNode&&t.parentNode.removeChild(t)}function Xn(t,e,n){var s,r,i,o={};for(i in e)i=="key"?s=e[i]:i=="ref"?r=e[i]:o[i]=e[i];if(arguments.length>2&&(o.children=arguments.length>3?Xe.call(arguments,2):n),typeof t=="function"&&t.defaultProps!=null)for(i in t.defaultProps)o[i]===void 0&&(o[i]=t.defaultProps[i]);return Ce(t,o,s,r,null)}function Ce(t,e,n,s,r){var i={type:t,props:e,key:n,ref:s,__k:null,__:null,__b:0,__e:null,__c:null,constructor:void 0,__v:r??++Hn,__i:-1,__u:0};return r==null&&C.vnode!=null&&C.vnode(i),i}function z(t){return t.children}function ye(t,e){this.props=t,this.context=e}function le(t,e){if(e==null)return t.__?le(t.__,t.__i+1):null;for(var n;e<t.__k.length;e++)if((n=t.__k[e])!=null&&n.__e!=null)return n.__e;return typeof t.type=="function"?le(t):null}function Ns(t){if(t.__P&&t.__d){var e=t.__v,n=e.__e,s=[],r=[],i=K({},e);i.__v=e.__v+1,C.vnode&&C.vnode(i),Et(t.__P,i,e,t.__n,t.__P.namespaceURI,32&e.__u?[n]:null,s,n??le(e),!!(32&e.__u),r),i.__v=e.__v,i.__.__k[i.__i]=i,Zn(s,i,r),e.__e=e.__=null,i.__e!=n&&Kn(i)}}function Kn(t){if((t=t.__)!=null&&t.__c!=null)return t.__e=t.__c.base=null,t.__k.some(function(e){if(e!=null&&e.__e!=null)return t.__e=t.__c.base=e.__e}),Kn(t)}function ft(t){(!t.__d&&(t.__d=!0)&&ee.push(t)&&!ze.__r++||Vt!=C.debounceRendering)&&((Vt=C.debounceRendering)||Gn)(ze)}function ze(){try{for(var t,e=1;ee.length;)ee.length>e&&ee.sort(Vn),t=ee.shift(),e=ee.length,Ns(t)}finally{ee.length=ze.__r=0}}function Yn(t,e,n,s,r,i,o,a,c,u,h){var p,d,f,m,g,b,y=s&&s.__k||Ue,_=e.length;for(c=Ds(n,e,y,c,_),p=0;p<_;p++)(f=n.__k[p])!=null&&(d=f.__i!=-1&&y[f.__i]||We,f.__i=p,b=Et(t,f,d,r,i,o,a,c,u,h),m=f.__e,f.ref&&d.ref!=f.ref&&(d.ref&&Tt(d.ref,null,f),h.push(f.ref,f.__c||m,f)),g==null&&m!=null&&(g=m),4&f.__u?(c=Jn(f,c,t),d.__e&&(d.__e=null)):typeof f.type=="function"&&b!==void 0?c=b:m&&(c=m.nextSibling),f.__u&=-7);return n.__e=g,c}function Ds(t,e,n,s,r){var i,o,a,c,u,h=n.length,p=h,d=0;for(t.__k=new Array(r),i=0;i<r;i++)(o=e[i])!=null&&typeof o!="boolean"&&typeof o!="function"?(typeof o=="string"||typeof o=="number"||typeof o=="bigint"||o.constructor==String?o=t.__k[i]=Ce(null,o,null,null,null):Ke(o)?o=t.__k[i]=Ce(z,{children:o},null,null,null):o.constructor===void 0&&o.__b>0?o=t.__k[i]=Ce(o.type,o.props,o.key,o.ref?o.ref:null,o.__v):t.__k[i]=o,c=i+d,o.__=t,o.__b=t.__b+1,a=null,(u=o.__i=Is(o,n,c,p))!=-1&&(p--,(a=n[u])&&(a.__u|=2)),a==null||a.__v==null?(u==-1&&(r>h?d--:r<h&&d++),typeof o.type!="function"&&(o.__u|=4)):u!=c&&(u==c-1?d--:u==c+1?d++:(u>c?d--:d++,o.__u|=4))):t.__k[i]=null;if(p)for(i=0;i<h;i++)(a=n[i])!=null&&(2&a.__u)==0&&(a.__e==s&&(s=le(a)),ts(a,a));return s}function Jn(t,e,n){var s,r;if(typeof t.type=="function"){for(s=t.__k,r=0;s&&r<s.length;r++)s[r]&&(s[r].__=t,e=Jn(s[r],e,n));return e}t.__e!=e&&(e&&t.type&&!e.parentNode&&(e=le(t)),e=n.insertBefore(t.__e,e||null));do e=e&&e.nextSibling;while(e!=null&&e.nodeType==8);return e}function Is(t,e,n,s){var r,i,o,a=t.key,c=t.type,u=e[n],h=u!=null&&(2&u.__u)==0;if(u===null&&a==null||h&&a==u.key&&c==u.type)return n;if(s>(h?1:0)){for(r=n-1,i=n+1;r>=0||i<e.length;)if((u=e[o=r>=0?r--:i++])!=null&&(2&u.__u)==0&&a==u.key&&c==u.type)return o}return-1}function qt(t,e,n){e[0]=="-"?t.setProperty(e,n??""):t[e]=n==null?"":typeof n!="number"||Os.test(e)?n:n+"px"}function Ee(t,e,n,s,r){var i,o;e:if(e=="style")if(typeof n=="string")t.style.cssText=n;else{if(typeof s=="string"&&(t.style.cssText=s=""),s)for(e in s)n&&e in n||qt(t.style,e,"");if(n)for(e in n)s&&n[e]==s[e]||qt(t.style,e,n[e])}else if(e[0]=="o"&&e[1]=="n")i=e!=(e=e.replace(qn,"$1")),o=e.toLowerCase(),e=o in t||e=="onFocusOut"||e=="onFocusIn"?o.slice(2):e.slice(2),t.l||(t.l={}),t.l[e+i]=n,n?s?n[we]=s[we]:(n[we]=kt,t.addEventListener(e,i?dt:ht,i)):t.removeEventListener(e,i?dt:ht,i);else{if(r=="http://www.w3.org/2000/svg")e=e.replace(/xlink(H|:h)/,"h").replace(/sName$/,"s");else if(e!="width"&&e!="height"&&e!="href"&&e!="list"&&e!="form"&&e!="tabIndex"&&e!="download"&&e!="rowSpan"&&e!="colSpan"&&e!="role"&&e!="popover"&&e in t)try{t[e]=n??"";break e}catch{}typeof n=="function"||(n==null||n===!1&&e[4]!="-"?t.removeAttribute(e):t.setAttribute(e,e=="popover"&&n==1?"":n))}}function jt(t){return function(e){if(this.l){var n=this.l[e.type+t];if(e[Re]==null)e[Re]=kt++;else if(e[Re]<n[we])return;return n(C.event?C.event(e):e)}}}function Et(t,e,n,s,r,i,o,a,c,u){var h,p,d,f,m,g,b,y,_,v,w,S,T,k,x,A,M=e.type;if(e.constructor!==void 0)return null;128&n.__u&&(c=!!(32&n.__u),i=[a=e.__e=n.__e]),(h=C.__b)&&h(e);e:if(typeof M=="function"){p=o.length;try{if(_=e.props,v=M.prototype&&M.prototype.render,w=(h=M.contextType)&&s[h.__c],S=h?w?w.props.value:h.__:s,n.__c?y=(d=e.__c=n.__c).__=d.__E:(v?e.__c=d=new M(_,S):(e.__c=d=new ye(_,S),d.constructor=M,d.render=Us),w&&w.sub(d),d.state||(d.state={}),d.__n=s,f=d.__d=!0,d.__h=[],d._sb=[]),v&&d.__s==null&&(d.__s=d.state),v&&M.getDerivedStateFromProps!=null&&(d.__s==d.state&&(d.__s=K({},d.__s)),K(d.__s,M.getDerivedStateFromProps(_,d.__s))),m=d.props,g=d.state,d.__v=e,f)v&&M.getDerivedStateFromProps==null&&d.componentWillMount!=null&&d.componentWillMount(),v&&d.componentDidMount!=null&&d.__h.push(d.componentDidMount);else{if(v&&M.getDerivedStateFromProps==null&&_!==m&&d.componentWillReceiveProps!=null&&d.componentWillReceiveProps(_,S),e.__v==n.__v||!d.__e&&d.shouldComponentUpdate!=null&&d.shouldComponentUpdate(_,d.__s,S)===!1){e.__v!=n.__v&&(d.props=_,d.state=d.__s,d.__d=!1),e.__e=n.__e,e.__k=n.__k,e.__k.some(function(F){F&&(F.__=e)}),Ue.push.apply(d.__h,d._sb),d._sb=[],d.__h.length&&o.push(d),a=le(n);break e}d.componentWillUpdate!=null&&d.componentWillUpdate(_,d.__s,S),v&&d.componentDidUpdate!=null&&d.__h.push(function(){d.componentDidUpdate(m,g,b)})}if(d.context=S,d.props=_,d.__P=t,d.__e=!1,T=C.__r,k=0,v)d.state=d.__s,d.__d=!1,T&&T(e),h=d.render(d.props,d.state,d.context),Ue.push.apply(d.__h,d._sb),d._sb=[];else do d.__d=!1,T&&T(e),h=d.render(d.props,d.state,d.context),d.state=d.__s;while(d.__d&&++k<25);d.state=d.__s,d.getChildContext!=null&&(s=K(K({},s),d.getChildContext())),v&&!f&&d.getSnapshotBeforeUpdate!=null&&(b=d.getSnapshotBeforeUpdate(m,g)),x=h!=null&&h.type===z&&h.key==null?es(h.props.children):h,a=Yn(t,Ke(x)?x:[x],e,n,s,r,i,o,a,c,u),d.base=e.__e,e.__u&=-161,d.__h.length&&o.push(d),y&&(d.__E=d.__=null)}catch(F){if(o.length=p,e.__v=null,c||i!=null){if(F.then){for(e.__u|=c?160:128;a&&a.nodeType==8&&a.nextSibling;)a=a.nextSibling;i!=null&&(i[i.indexOf(a)]=null),e.__e=a}else if(i!=null)for(A=i.length;A--;)St(i[A])}else e.__e=n.__e;e.__k==null&&(e.__k=n.__k||[]),F.then||Qn(e),C.__e(F,e,n)}}else i==null&&e.__v==n.__v?(e.__k=n.__k,e.__e=n.__e):a=e.__e=Ws(n.__e,e,n,s,r,i,o,c,u);return(h=C.diffed)&&h(e),128&e.__u?void 0:a}function Qn(t){t&&(t.__c&&(t.__c.__e=!0),t.__k&&t.__k.some(Qn))}function Zn(t,e,n){for(var s=0;s<n.length;s++)Tt(n[s],n[++s],n[++s]);C.__c&&C.__c(e,t),t.some(function(r){try{t=r.__h,r.__h=[],t.some(function(i){i.call(r)})}catch(i){C.__e(i,r.__v)}})}function es(t){return typeof t!="object"||t==null||t.__b>0?t:Ke(t)?t.map(es):t.constructor!==void 0?null:K({},t)}function Ws(t,e,n,s,r,i,o,a,c){var u,h,p,d,f,m,g,b=n.props||We,y=e.props,_=e.type;if(_=="svg"?r="http://www.w3.org/2000/svg":_=="math"?r="http://www.w3.org/1998/Math/MathML":r||(r="http://www.w3.org/1999/xhtml"),i!=null){for(u=0;u<i.length;u++)if((f=i[u])&&"setAttribute"in f==!!_&&(_?f.localName==_:f.nodeType==3)){t=f,i[u]=null;break}}if(t==null){if(_==null)return document.createTextNode(y);t=document.createElementNS(r,_,y.is&&y),a&&(C.__m&&C.__m(e,i),a=!1),i=null}if(_==null)b===y||a&&t.data==y||(t.data=y);else{if(i=_=="textarea"&&y.defaultValue!=null?null:i&&Xe.call(t.childNodes),!a&&i!=null)for(b={},u=0;u<t.attributes.length;u++)b[(f=t.attributes[u]).name]=f.value;for(u in b)f=b[u],u=="dangerouslySetInnerHTML"?p=f:u=="children"||u in y||u=="value"&&"defaultValue"in y||u=="checked"&&"defaultChecked"in y||Ee(t,u,null,f,r);for(u in y)f=y[u],u=="children"?d=f:u=="dangerouslySetInnerHTML"?h=f:u=="value"?m=f:u=="checked"?g=f:a&&typeof f!="function"||b[u]===f||Ee(t,u,f,b[u],r);if(h)a||p&&(h.__html==p.__html||h.__html==t.innerHTML)||(t.innerHTML=h.__html),e.__k=[];else if(p&&(t.innerHTML=""),Yn(e.type=="template"?t.content:t,Ke(d)?d:[d],e,n,s,_=="foreignObject"?"http://www.w3.org/1999/xhtml":r,i,o,i?i[0]:n.__k&&le(n,0),a,c),i!=null)for(u=i.length;u--;)St(i[u]);a&&_!="textarea"||(u="value",_=="progress"&&m==null?t.removeAttribute("value"):m!=null&&(m!==t[u]||_=="progress"&&!m||_=="option"&&m!=b[u])&&Ee(t,u,m,b[u],r),u="checked",g!=null&&g!=t[u]&&Ee(t,u,g,b[u],r))}return t}function Tt(t,e,n){try{if(typeof t=="function"){var s=typeof t.__u=="function";s&&t.__u(),s&&e==null||(t.__u=t(e))}else t.current=e}catch(r){C.__e(r,n)}}function ts(t,e,n){var s,r;if(C.unmount&&C.unmount(t),(s=t.ref)&&(s.current&&s.current!=t.__e||Tt(s,null,e)),(s=t.__c)!=null){if(s.componentWillUnmount)try{s.componentWillUnmount()}catch(i){C.__e(i,e)}s.base=s.__P=s.__n=null}if(s=t.__k)for(r=0;r<s.length;r++)s[r]&&ts(s[r],e,n||typeof t.type!="function");n||St(t.__e),t.__c=t.__=t.__e=void 0}function Us(t,e,n){return this.constructor(t,n)}function zs(t,e,n){var s,r,i,o;e==document&&(e=document.documentElement),C.__&&C.__(t,e),r=(s=!1)?null:e.__k,i=[],o=[],Et(e,t=e.__k=Xn(z,null,[t]),r||We,We,e.namespaceURI,r?null:e.firstChild?Xe.call(e.childNodes):null,i,r?r.__e:e.firstChild,s,o),Zn(i,t,o),t.props.children=null}function Bs(t){function e(n){var s,r;return this.getChildContext||(s=new Set,(r={})[e.__c]=this,this.getChildContext=function(){return r},this.componentWillUnmount=function(){s=null},this.shouldComponentUpdate=function(i){this.props.value!=i.value&&s.forEach(function(o){o.__e=!0,ft(o)})},this.sub=function(i){s.add(i);var o=i.componentWillUnmount;i.componentWillUnmount=function(){s&&s.delete(i),o&&o.call(i)}}),n.children}return e.__c="__cC"+jn++,e.__=t,e.Provider=e.__l=(e.Consumer=function(n,s){return n.children(s)}).contextType=e,e}Xe=Ue.slice,C={__e:function(t,e,n,s){for(var r,i,o;e=e.__;)if((r=e.__c)&&!r.__)try{if((i=r.constructor)&&i.getDerivedStateFromError!=null&&(r.setState(i.getDerivedStateFromError(t)),o=r.__d),r.componentDidCatch!=null&&(r.componentDidCatch(t,s||{}),o=r.__d),o)return r.__E=r}catch(a){t=a}throw t}},Hn=0,ye.prototype.setState=function(t,e){var n;n=this.__s!=null&&this.__s!=this.state?this.__s:this.__s=K({},this.state),typeof t=="function"&&(t=t(K({},n),this.props)),t&&K(n,t),t!=null&&this.__v&&(e&&this._sb.push(e),ft(this))},ye.prototype.forceUpdate=function(t){this.__v&&(this.__e=!0,t&&this.__h.push(t),ft(this))},ye.prototype.render=z,ee=[],Gn=typeof Promise=="function"?Promise.prototype.then.bind(Promise.resolve()):setTimeout,Vn=function(t,e){return t.__v.__b-e.__v.__b},ze.__r=0,st=Math.random().toString(8),Re="__d"+st,we="__a"+st,qn=/(PointerCapture)$|Capture$/i,kt=0,ht=jt(!1),dt=jt(!0),jn=0;var Hs=0;function l(t,e,n,s,r,i){e||(e={});var o,a,c=e;if("ref"in c)for(a in c={},e)a=="ref"?o=e[a]:c[a]=e[a];var u={type:t,props:c,key:n,ref:o,__k:null,__:null,__b:0,__e:null,__c:null,constructor:void 0,__v:--Hs,__i:-1,__u:0,__source:r,__self:i};if(typeof t=="function"&&(o=t.defaultProps))for(a in o)c[a]===void 0&&(c[a]=o[a]);return C.vnode&&C.vnode(u),u}var ne,L,rt,Xt,Be=0,ns=[],O=C,Kt=O.__b,Yt=O.__r,Jt=O.diffed,Qt=O.__c,Zt=O.unmount,en=O.__;function me(t,e){O.__h&&O.__h(L,t,Be||e),Be=0;var n=L.__H||(L.__H={__:[],__h:[]});return t>=n.__.length&&n.__.push({}),n.__[t]}function H(t){return Be=1,ss(rs,t)}function ss(t,e,n){var s=me(ne++,2);if(s.t=t,!s.__c&&(s.__=[rs(void 0,e),function(a){var c=s.__N?s.__N[0]:s.__[0],u=s.t(c,a);c!==u&&(s.__N=[u,s.__[1]],s.__c.setState({}))}],s.__c=L,!L.__f)){var r=function(a,c,u){if(!s.__c.__H)return!0;var h=!1,p=s.__c.props!==a;if(s.__c.__H.__.some(function(f){if(f.__N){h=!0;var m=f.__[0];f.__=f.__N,f.__N=void 0,m!==f.__[0]&&(p=!0)}}),i){var d=i.call(this,a,c,u);return h?d||p:d}return!h||p};L.__f=!0;var i=L.shouldComponentUpdate,o=L.componentWillUpdate;L.componentWillUpdate=function(a,c,u){if(this.__e){var h=i;i=void 0,r(a,c,u),i=h}o&&o.call(this,a,c,u)},L.shouldComponentUpdate=r}return s.__N||s.__}function ce(t,e){var n=me(ne++,3);!O.__s&&At(n.__H,e)&&(n.__=t,n.u=e,L.__H.__h.push(n))}function He(t,e){var n=me(ne++,4);!O.__s&&At(n.__H,e)&&(n.__=t,n.u=e,L.__h.push(n))}function D(t){return Be=5,ue(function(){return{current:t}},[])}function ue(t,e){var n=me(ne++,7);return At(n.__H,e)&&(n.__=t(),n.__H=e,n.__h=t),n.__}function Gs(t){var e=L.context[t.__c],n=me(ne++,9);return n.c=t,e?(n.__==null&&(n.__=!0,e.sub(L)),e.props.value):t.__}function Mt(){var t=me(ne++,11);if(!t.__){for(var e=L.__v;e!==null&&!e.__m&&e.__!==null;)e=e.__;var n=e.__m||(e.__m=[0,0]);t.__="P"+n[0]+"-"+n[1]++}return t.__}function Vs(){for(var t;t=ns.shift();){var e=t.__H;if(t.__P&&e)try{e.__h.some(Le),e.__h.some(pt),e.__h=[]}catch(n){e.__h=[],O.__e(n,t.__v)}}}O.__b=function(t){L=null,Kt&&Kt(t)},O.__=function(t,e){t&&e.__k&&e.__k.__m&&(t.__m=e.__k.__m),en&&en(t,e)},O.__r=function(t){Yt&&Yt(t),ne=0;var e=(L=t.__c).__H;e&&(rt===L?(e.__h=[],L.__h=[],e.__.some(function(n){n.__N&&(n.__=n.__N),n.u=n.__N=void 0})):(e.__h.some(Le),e.__h.some(pt),e.__h=[],ne=0)),rt=L},O.diffed=function(t){Jt&&Jt(t);var e=t.__c;e&&e.__H&&(e.__H.__h.length&&(ns.push(e)!==1&&Xt===O.requestAnimationFrame||((Xt=O.requestAnimationFrame)||qs)(Vs)),e.__H.__.some(function(n){n.u&&(n.__H=n.u,n.u=void 0)})),rt=L=null},O.__c=function(t,e){e.some(function(n){try{n.__h.some(Le),n.__h=n.__h.filter(function(s){return!s.__||pt(s)})}catch(s){e.some(function(r){r.__h&&(r.__h=[])}),e=[],O.__e(s,n.__v)}}),Qt&&Qt(t,e)},O.unmount=function(t){Zt&&Zt(t);var e,n=t.__c;n&&n.__H&&(n.__H.__.some(function(s){try{Le(s)}catch(r){e=r}}),n.__H=void 0,e&&O.__e(e,n.__v))};var tn=typeof requestAnimationFrame=="function";function qs(t){var e,n=function(){clearTimeout(s),tn&&cancelAnimationFrame(e),setTimeout(t)},s=setTimeout(n,35);tn&&(e=requestAnimationFrame(n))}function Le(t){var e=L,n=t.__c;typeof n=="function"&&(t.__c=void 0,n()),L=e}function pt(t){var e=L;t.__c=t.__(),L=e}function At(t,e){return!t||t.length!==e.length||e.some(function(n,s){return n!==t[s]})}function rs(t,e){return typeof e=="function"?e(t):e}function is(t,e,n){for(const[s,r]of Object.entries(e))r==null||r===!1||(s==="style"?t.style.cssText=String(r):t.setAttribute(s,r===!0?"":String(r)));for(const s of n)s!=null&&t.append(s)}function js(t,e={},...n){const s=document.createElement(t);return is(s,e,n),s}function W(t,e={},...n){const s=document.createElementNS("http://www.w3.org/2000/svg",t);return is(s,e,n),s}function R(t,e){if(t==null||Number.isNaN(t))return"–";const n=t.toFixed(e);return(Number(n)===0?n.replace("-",""):n).replace("-","−")}function ke(t){return t.replace(/-/g,"−")}function I(t){return typeof t=="object"&&!Array.isArray(t)}function G(t){return Array.isArray(t)}function N(t){let e="";for(const n of t)typeof n=="number"?e+=`[${String(n)}]`:e+=e===""?n:`.${n}`;return e}function $t(t){const e=[];for(const n of t.matchAll(/\[(\d+)\]|[^.[\]]+/g))e.push(n[1]===void 0?n[0]:Number(n[1]));return e}function Xs(t){return N(t).replace(/\[\d+\]/g,"[]")}function J(t,e){let n=t;for(const s of e)typeof s=="number"?n=G(n)?n[s]:void 0:n=I(n)?n[s]:void 0;return n}function Ye(t,e,n){return mt(t,e,n)}function mt(t,e,n){const[s,...r]=e;if(s===void 0)return n;if(typeof s=="number"){const a=G(t)?[...t]:[],c=mt(a[s],r,n);return c===void 0?a.splice(s,1):a[s]=c,a}const i=I(t)?{...t}:{},o=mt(i[s],r,n);return o===void 0?Reflect.deleteProperty(i,s):i[s]=o,i}const Ks=["fit","uncertainty"];function Y(t,e,n){const s=Ye(t.recipe,e,n);return n===void 0?as({...t,recipe:s},r=>os(r,e)?null:r):{...t,recipe:s}}function Ys(t,e,n){const s=new Set(t.locks);return n?s.add(N(e)):s.delete(N(e)),{...t,locks:s}}const Js="correlation";function os(t,e){return e.every((n,s)=>t[s]===n)}function as(t,e){const n=i=>{const o=e($t(i));return o===null?null:N(o)},s=new Set;for(const i of t.locks){const o=n(i);o!==null&&s.add(o)}let r=t.recipe;for(const i of Ks){const o=r[i];if(!I(o))continue;const a=Object.entries(o).flatMap(([u,h])=>{if(u===Js){const d=G(h)?Qs(h,n):h;return G(d)&&d.length===0?[]:[[u,d]]}const p=n(u);return p===null?[]:[[p,h]]}),c=a.length>0?Object.fromEntries(a):void 0;r=Ye(r,[i],c)}return{recipe:r,locks:s}}function Qs(t,e){return t.flatMap(n=>{const s=I(n)?n.of:void 0;if(!I(n)||!G(s))return[n];const r=s.flatMap(i=>{const o=typeof i=="string"?e(i):i;return o===null?[]:[o]});return r.length<2?[]:[{...n,of:r}]})}function Ft(t,e,n){return as(t,s=>{const r=s[e.length];if(!os(s,e)||typeof r!="number")return s;const i=n(r);return i===null?null:[...e,i,...s.slice(e.length+1)]})}function Rt(t,e){const n=J(t.recipe,e);return G(n)?n:[]}function Ct(t,e,n){return{...t,recipe:Ye(t.recipe,e,n.length>0?n:void 0)}}function ls(t,e,n,s){const r=[...Rt(t,e)];r.splice(n,0,s);const i=Ft(t,e,o=>o>=n?o+1:o);return Ct(i,e,r)}function Zs(t,e,n){const s=Rt(t,e).filter((i,o)=>o!==n),r=Ft(t,e,i=>i===n?null:i>n?i-1:i);return Ct(r,e,s)}function er(t,e,n,s){const r=[...Rt(t,e)],[i,o]=[r[n],r[n+s]];if(i===void 0||o===void 0)return t;r[n]=o,r[n+s]=i;const a=Ft(t,e,c=>c===n?n+s:c===n+s?n:c);return Ct(a,e,r)}class Lt{constructor(e){this.value=e,this.listeners=new Set}get(){return this.value}set(e){this.value={...this.value,...e};for(const n of[...this.listeners])n()}subscribe(e){return this.listeners.add(e),()=>{this.listeners.delete(e)}}}function Pt(t,e){const[,n]=ss(i=>i+1,0),s=e(t.get()),r=D(e);return r.current=e,ce(()=>{let i=s;const o=()=>{const a=r.current(t.get());Object.is(a,i)||(i=a,n(void 0))};return o(),t.subscribe(o)},[t,s]),s}const cs=Bs(null),tr=cs.Provider;function P(){const t=Gs(cs);if(t===null)throw new Error("drawn outside of the studio");return t}function E(t){return Pt(P().store,t)}function Je(t){return E(({document:e})=>J(e.recipe,t))}function U(t){return Pt(P().viewer.store,t)}function Pe(t){return Pt(P().atlas.store,t)}function X(t,e){const n=Xs(e);return t.recipe.tables.find(s=>s.path===n)}const nr=[["_g_per_cm3","g/cm³"],["_per_mm","mm⁻¹"],["_per_um","µm⁻¹"],["_um","µm"],["_nm","nm"],["_mm","mm"],["_deg","°"]],sr={ior:"Binder",alpha:"Tilt, alpha",alpha_bottom:"Tilt at bottom",diameter_spread_um:"± diameter",spread_nm:"± thickness",wa:"Waves a",wb:"Waves b",wc:"Waves c",wd:"Waves d",we:"Waves e"};function B(t){const e=nr.find(([r])=>t.endsWith(r)),n=e===void 0?t:t.slice(0,-e[0].length),s=sr[t]??n.replace(/_/g," ");return{label:s.charAt(0).toUpperCase()+s.slice(1),unit:e?.[1]??""}}function Ot(t,e){const n=e.each.findIndex(({mark:s})=>s!==""&&s in t);return Math.max(n,0)}function Nt(t,e){const n=new Set,s=new Set;for(const r of e.alternatives??[]){const i=Ot(t,r);r.each.forEach(({keys:o},a)=>{for(const c of o)(a===i?s:n).add(c)})}for(const r of s)n.delete(r);return n}function rr(t){const{min:e,max:n}=t;if(e===void 0&&n===void 0)return"";const s=t.min_excluded===!0||e===null?"(":"[",r=t.max_excluded===!0||n===null?")":"]",i=e==null?"−∞":Q(e),o=n==null?"∞":Q(n),a=B(t.key).unit;return`${t.zero===void 0?"":"0 or "}${s}${i}, ${o}${r}${a===""?"":` ${a}`}`}function Q(t){return String(Number(t.toPrecision(6))).replace("-","−")}function ir(t,e){if(!Number.isFinite(e))return!1;if(t.zero!==void 0&&e===0)return!0;const{min:n,max:s}=t;return n!=null&&(t.min_excluded?e<=n:e<n)?!1:!(s!=null&&(t.max_excluded?e>=s:e>s))}function us(t,e){const n=[],s=r=>{const i=J(e,r),o=X(t,r);if(!(!I(i)||o===void 0))for(const a of o.keys){const c=i[a.key],u=[...r,a.key];typeof c=="number"&&(a.kind==="number"||a.kind==="spectrum")?n.push({path:u,info:a,value:c}):a.kind==="table"?s(u):a.kind==="list"&&G(c)&&c.forEach((h,p)=>{s([...u,p])})}};return s([]),n}function Se(t,e){const n=[];e.slice(0,-1).forEach((r,i)=>{if(typeof r=="number"){const o=J(t,e.slice(0,i+1)),a=I(o)?o.name??o.from??o.material:void 0,u=`${Dt(String(e[i-1]))} ${String(r+1)}`;n.push(typeof a=="string"&&a!==""?a:u)}else typeof e[i+1]!="number"&&n.push(r.replace(/_/g," "))});const s=n.join(", ");return s.charAt(0).toUpperCase()+s.slice(1)}function Dt(t){return t==="flakes"?t:t.replace(/s$/,"")}const or={clearcoat:{thickness_um:45},lean:{tilt_deg:5,azimuth_deg:0},substrate:{reflectance:.05},"layer[]":{thickness_um:15},"layer[].flakes[]":{name:"TiO2 on mica",volume_fraction:.03,diameter_um:18,orientation:{distribution:"beckmann",alpha:.1},core:{material:"mica",thickness_nm:500,spread_nm:60},coats:[{material:"TiO2_anatase",thickness_nm:110,spread_nm:5}]},"layer[].flakes[].coats[]":{material:"SiO2",thickness_nm:100,spread_nm:5},"layer[].flakes[].core":{material:"mica",thickness_nm:500,spread_nm:60},"layer[].flakes[].orientation.tilts[]":{tilt_deg:4,density:1},"clearcoat.orange_peel":{wc:.005,wd:.005},microfacet:{alpha:.1,film_ior:1.8,film_thickness_nm:150,base_ior:1.08,base_extinction:.5},"microfacet.facets":{count:1e7,cone_deg:3}},ar={volume_fraction:.03,area_density_per_um:.1,mass_fraction:.05,density_g_per_cm3:3,diameter_nm:250,d10_um:8,d50_um:18,d90_um:32,thickness_um:15,thickness_nm:100,alpha:.1,reflectance:.5,K:10,S:10,scattering_per_mm:10,absorption_per_mm:10,waviness:.02,edge_um:.5,thickness_spread_um:3,roughness:.1,spread_nm:5,diameter_spread_um:5,transmittance:.1,alpha_bottom:.1};function Qe(t,e,n){const s=[...e,n.key].map(o=>typeof o=="number"?"[]":`.${o}`).join("").slice(1),r=or[n.kind==="list"?`${s}[]`:s];if(r!==void 0)return n.kind==="list"?[r]:r;if(s==="layer[].pigment")return[cr(t)];const i=ar[n.key];switch(n.kind){case"number":case"spectrum":return i??n.default??n.min??0;case"material":return t.materials[0]?.name??1.5;case"text":return n.choices==="pigments"?t.pigments[0]?.name??"":"";case"choice":return(Array.isArray(n.choices)?n.choices[0]:"")??"";case"flag":return!0;case"list":return[nn(t,[...e,n.key,0])];case"table":return nn(t,[...e,n.key])}}function lr(t,e){const n=X(t,e.slice(0,-1))?.keys.find(r=>r.key===e.at(-1));if(n===void 0)return{};const s=Qe(t,e.slice(0,-1),n);return(Array.isArray(s)?s[0]:s)??{}}function cr(t){const e=t.pigments[0];return e===void 0?{scattering_per_mm:10,absorption_per_mm:10}:{from:e.name,volume_fraction:.05}}function nn(t,e){const n=X(t,e);if(n===void 0)return{};const s=new Set((n.alternatives??[]).flatMap(({each:i})=>i.flatMap(o=>o.keys))),r={};for(const i of n.keys)i.required&&!s.has(i.key)&&(r[i.key]=Qe(t,e,i));for(const i of n.alternatives??[])hs(t,e,n,i.each[0],r);return r}function hs(t,e,n,s,r){for(const i of n.keys)(i.key===s?.mark||i.required&&s?.keys.includes(i.key))===!0&&r[i.key]===void 0&&(r[i.key]=Qe(t,e,i))}function ur(t,e,n,s,r){const i=X(t,e),o=s.each[r];if(i===void 0||o===void 0||Ot(n,s)===r)return n;const a=new Set(s.each.flatMap(({keys:h})=>h));for(const h of o.keys)a.delete(h);const c=Object.entries(n).filter(([h])=>!a.has(h)),u=Object.fromEntries(c);return hs(t,e,i,o,u),u}const hr={up:"M8 13V3M3.5 7.5 8 3l4.5 4.5",down:"M8 3v10M3.5 8.5 8 13l4.5-4.5",remove:"m4 4 8 8m0-8-8 8",copy:"M5.5 5.5v-3h8v8h-3m-8-5h8v8h-8z",lock:"M3.5 7.5h9v6h-9zM5.5 7.5V5a2.5 2.5 0 0 1 5 0v2.5",unlock:"M3.5 7.5h9v6h-9zM5.5 7.5V5a2.5 2.5 0 0 1 4.6-1.4",open:"m5 6 3 3.5L11 6",closed:"m6 5 3.5 3L6 11",undo:"M6 3 2.5 6.5 6 10M2.5 6.5H9a4 4 0 0 1 0 8H6",redo:"m10 3 3.5 3.5L10 10m3.5-3.5H7a4 4 0 0 0 0 8h3",add:"M8 3v10M3 8h10"};function ds({name:t}){return l("svg",{class:"icon",viewBox:"0 0 16 16",width:"16",height:"16","aria-hidden":"true",children:l("path",{d:hr[t]})})}function oe(t){return l("button",{type:"button",class:"icon-button","aria-label":t.label,title:t.label,disabled:t.disabled??!1,"aria-pressed":t.pressed,onClick:t.onClick,children:l(ds,{name:t.icon})})}function fs(t){const e=n=>String(Math.round(255*Math.min(Math.max(n,0),1)));return`rgb(${t.map(e).join(", ")})`}function sn({rgb:t}){return t===void 0?null:t===null?l("i",{class:"swatch none"}):l("i",{class:"swatch",style:{background:fs(t)}})}const Te=2,Me=8,rn=380;function on(t,e){const{top:n,bottom:s,left:r,width:i}=e.getBoundingClientRect(),o=innerHeight-s-Te-Me,a=n-Te-Me,c=Math.min(rn,t.scrollHeight),u=o<c&&a>o,{style:h}=t;h.minWidth=`${String(i)}px`,h.maxHeight=`${String(Math.min(rn,u?a:o))}px`,h.left=`${String(Math.max(Me,Math.min(r,innerWidth-t.offsetWidth-Me)))}px`,h.top=u?"auto":`${String(s+Te)}px`,h.bottom=u?`${String(innerHeight-n+Te)}px`:"auto"}const dr=800;function Ze(t){const{choices:e,chosen:n,onChoose:s}=t,[r,i]=H(!1),[o,a]=H(0),c=Mt(),u=D(null),h=D(null),p=D(null),d=D({text:"",at:0}),f=e.find(({name:v})=>v===n);He(()=>{if(!r||p.current===null||h.current===null)return;const[v,w]=[p.current,h.current];on(v,w),v.focus({preventScroll:!0});const S=x=>{u.current?.contains(x.target)!==!0&&i(!1)},T=x=>{x.target!==v&&on(v,w)},k=new IntersectionObserver(([x])=>{x?.isIntersecting===!1&&i(!1)});return k.observe(w),document.addEventListener("pointerdown",S),document.addEventListener("scroll",T,!0),addEventListener("resize",T),()=>{k.disconnect(),document.removeEventListener("pointerdown",S),document.removeEventListener("scroll",T,!0),removeEventListener("resize",T)}},[r]),ce(()=>{r&&p.current?.children[o]?.scrollIntoView({block:"nearest"})},[r,o]);const m=()=>{a(Math.max(0,e.findIndex(({name:v})=>v===n))),i(!0)},g=()=>{i(!1),h.current?.focus()},b=v=>{const w=e[v];g(),w!==void 0&&s(w.name)},y=v=>{const w=Date.now(),S=w-d.current.at>dr;d.current={text:(S?"":d.current.text)+v.toLowerCase(),at:w};const T=S?o+1:o,x=[...e.keys()].map(A=>(A+T)%e.length).find(A=>{const{title:M,name:F}=e[A];return(M??F).toLowerCase().startsWith(d.current.text)});x!==void 0&&a(x)},_=v=>{const w=e.length-1;if(v.key==="ArrowDown")a(Math.min(o+1,w));else if(v.key==="ArrowUp")a(Math.max(o-1,0));else if(v.key==="Home")a(0);else if(v.key==="End")a(w);else if(v.key==="Enter"||v.key===" ")b(o);else if(v.key==="Escape")g();else if(v.key==="Tab")i(!1);else if(v.key.length===1&&!v.ctrlKey&&!v.metaKey)y(v.key);else return;v.key!=="Tab"&&v.preventDefault(),v.stopPropagation()};return l("div",{class:`picker ${t.class??""}`,ref:u,children:[l("button",{type:"button",ref:h,class:"picked","aria-label":f===void 0?t.label:`${t.label}: ${f.name}`,"aria-haspopup":"listbox","aria-expanded":r,disabled:t.disabled??!1,onClick:()=>{r?i(!1):m()},onKeyDown:v=>{(v.key==="ArrowDown"||v.key==="ArrowUp")&&(v.preventDefault(),m())},children:[t.text===void 0&&l(sn,{rgb:f?.rgb}),l("span",{children:t.text??f?.title??f?.name??n??""})]}),r&&l("ul",{ref:p,class:"choices",role:"listbox",tabIndex:-1,"aria-label":t.label,"aria-activedescendant":`${c}-${String(o)}`,onKeyDown:_,children:e.map((v,w)=>l("li",{id:`${c}-${String(w)}`,role:"option","aria-selected":v.name===n,class:w===o?"active":"",onPointerMove:()=>{a(w)},onClick:()=>{b(w)},children:[l(sn,{rgb:v.rgb}),l("span",{children:[v.title??v.name,v.summary!==void 0&&l("small",{children:v.summary})]})]},v.name))})]})}function ge(t){return class extends ye{shouldComponentUpdate(n){return!fr(this.props,n)}render(){return Xn(t,this.props)}}}function fr(t,e){const[n,s]=[Object.entries(t),new Map(Object.entries(e))];return n.length===s.size&&n.every(([r,i])=>s.has(r)&&pr(r,i,s.get(r)))}function pr(t,e,n){return t==="path"?N(e)===N(n):e===n}function ps(t){const e=N(t);return E(({fault:n})=>n?.key===e?gt(n.message,e):null)}function mr(t){const e=N(t);return E(({fault:n,document:s})=>{if(n?.key===void 0)return null;if(n.key===e)return gt(n.message,e);const r=$t(n.key);return r.length===t.length+1&&t.every((o,a)=>r[a]===o)&&J(s.recipe,r)===void 0?gt(n.message,e):null})}function gt(t,e){const n=t.indexOf(e),s=n<0?t:t.slice(n+e.length).replace(/^[ .:]+/,""),r=s.startsWith("= ")?s.indexOf(": "):-1;return r<0?s:s.slice(r+2)}function It({id:t,text:e}){return e===null?null:l("p",{class:"fault",id:t,role:"alert",children:e})}const gr={nm:100,um:50,"1/mm":100,"1/um":1,deg:45,"g/cm^3":5};function de(t){const e=10**Math.floor(Math.log10(t)),n=[1,2,5,10].find(s=>s*e>=t*(1-1e-9))??10;return Number((n*e).toPrecision(12))}function ms(t,e,n){const s=t.min??-1/0,r=t.max??1/0;let i,o;if(n!==void 0)[i,o]=n;else if(r-s<=1.0000001&&e>r/4)[i,o]=[s,r];else if(s<0)[i,o]=[s,r];else{const c=e>0?de(2*e):gr[t.unit]??1;[i,o]=[0,Math.min(c,r)]}Number.isFinite(i)||(i=-de(2*Math.abs(e)||1)),Number.isFinite(o)||(o=de(2*Math.abs(e)||1)),i<s&&t.zero===void 0&&(i=s);const a=de((o-i)/500);return{low:i,high:o,step:a}}function it(t,e,n){const s=Number((Math.round(n/e.step)*e.step).toPrecision(12));let r=Math.min(Math.max(s,e.low),e.high);const{min:i,max:o}=t;return t.zero!==void 0&&i!==null&&i!==void 0&&r<i?r<i/2?0:i:(i!=null&&(r=Math.max(r,t.min_excluded?i+e.step:i)),o!=null&&(r=Math.min(r,t.max_excluded?o-e.step:o)),Number(r.toPrecision(12)))}function an(t){return String(Number(t.toPrecision(6)))}function _r(t){if(!Array.isArray(t)||t.length!==2)return;const[e,n]=t;return typeof e=="number"&&typeof n=="number"?[e,n]:void 0}function gs(t){const{path:e,info:n,value:s}=t,r=P(),i=N(e),o=E($=>$.document.locks.has(i)),a=E($=>Se($.document.recipe,e)),c=_r(Je(["fit",i])),u=ps(e),h=Mt(),[p,d]=H(null),[f,m]=H(null),g=D(null),b=D(!1),y=g.current,_=y===null||s>y.high||s<y.low,v=y!==null&&s>0&&s<y.high/40;(_||v&&!b.current)&&(g.current=ms(n,s,c));const{low:w,high:S,step:T}=g.current,{unit:k}=B(n.key),x=t.label??B(n.key).label,A=rr(n),M=`${x}, ${a}`,F=($,re)=>{r.edit(he=>Y(he,e,$),re)},V=()=>{if(p===null)return;const $=Number(p.trim().replace("−","-").replace(",","."));if(d(null),p.trim()===""||!Number.isFinite($)){m(`“${p}” is not a number`);return}m(null),$!==s&&F($,null)},q=($,re)=>{re.preventDefault(),d(null);const he=re.shiftKey?10*T:T;F(it(n,{low:w,high:1/0,step:T},s+$*he),`type ${i}`)},Z=f??u;return l("div",{class:Z===null?"row number":"row number wrong","data-key":i,children:[l("label",{for:h,title:n.doc,children:x}),l("input",{type:"range",min:w,max:S,step:"any",value:s,disabled:o,"aria-label":`${M}, slider`,"aria-valuetext":`${an(s)} ${k}`,onInput:$=>{b.current=!0,m(null);const re=Number($.currentTarget.value);F(it(n,{low:w,high:S,step:T},re),`slide ${i}`)},onChange:()=>{b.current=!1,r.endGesture()},onKeyDown:$=>{const he={ArrowRight:1,ArrowUp:1,ArrowLeft:-1,ArrowDown:-1,PageUp:20,PageDown:-20}[$.key];if(he===void 0)return;$.preventDefault();const Ls=$.shiftKey?10*T:T,Ps=it(n,{low:w,high:S,step:T},s+he*Ls);F(Ps,`slide ${i}`)},onBlur:()=>{r.endGesture()}}),l("input",{id:h,type:"text",inputMode:"decimal",autocomplete:"off",value:p??an(s),readOnly:o,title:A===""?n.doc:`${n.doc}; ${A}`,"aria-label":M,"aria-invalid":Z!==null,"aria-describedby":Z===null?void 0:`${h}-fault`,onInput:$=>{d($.currentTarget.value)},onFocus:$=>{$.currentTarget.select()},onBlur:()=>{V(),r.endGesture()},onKeyDown:$=>{if($.key==="Enter")V();else if($.key==="Escape")d(null),m(null);else{if(o)return;$.key==="ArrowUp"?q(1,$):$.key==="ArrowDown"&&q(-1,$)}}}),l("span",{class:"unit",children:k}),l(oe,{icon:o?"lock":"unlock",label:o?`Unlock ${M}`:`Lock ${M}`,pressed:o,onClick:()=>{r.edit($=>Ys($,e,!o))}}),l(It,{id:`${h}-fault`,text:Z})]})}const vr=ge(({path:t,info:e,value:n})=>{if(typeof n=="number"&&e.kind!=="material")return l(gs,{path:t,info:e,value:n});switch(e.kind){case"material":return l(wr,{path:t,info:e,value:n});case"choice":return l(br,{path:t,info:e,value:n});case"text":return e.choices==="pigments"?l(yr,{path:t,info:e,value:n}):l(xr,{path:t,info:e,value:n});case"spectrum":return kr(n)?l(Tr,{path:t,info:e,value:n}):l(ln,{path:t,info:e,value:n});default:return l(ln,{path:t,info:e,value:n})}});function _e({path:t,info:e}){const n=P(),s=E(a=>Se(a.document.recipe,t)),r=ps(t),i=Mt(),{label:o}=B(e.key);return{id:i,label:o,full:s===""?o:`${o}, ${s}`,fault:r,faultText:l(It,{id:`${i}-fault`,text:r}),describedBy:r===null?void 0:`${i}-fault`,class:r===null?"row":"row wrong",set:a=>{n.edit(c=>Y(c,t,a))}}}function be(t){return typeof t=="string"||typeof t=="number"?String(t):""}const ot="a number: its index";function wr(t){const e=_e(t),{value:n}=t,s=E(h=>h.schema?.materials)??[],{info:r,path:i}=t,o=I(n)?"own samples":typeof n=="string"?n:null,a=s.some(({name:h})=>h===n),c=[...o!==null&&!a?[{name:o,rgb:null}]:[],...s,{name:ot,summary:"the same at all wavelengths",rgb:null}],u=l(Ze,{label:e.full,choices:c,chosen:typeof n=="number"?ot:o,onChoose:h=>{h===ot?e.set(typeof n=="number"?n:1.5):h!==o&&e.set(h)}});return typeof n=="number"?l(z,{children:[l("div",{class:e.class,children:[l("span",{class:"label",title:r.doc,children:e.label}),u]}),l(gs,{path:i,info:{...r,kind:"number"},value:n,label:"Index"})]}):l("div",{class:e.class,"data-key":i.join("."),children:[l("span",{class:"label",title:r.doc,children:e.label}),u,e.faultText]})}function yr(t){const e=_e(t),n=E(s=>s.schema?.pigments)??[];return l("div",{class:e.class,children:[l("span",{class:"label",children:"Pigment"}),l(Ze,{label:e.full,choices:n,chosen:be(t.value),onChoose:e.set}),e.faultText]})}function br(t){const e=_e(t),{info:n,value:s}=t,r=Array.isArray(n.choices)?n.choices:[];return l("div",{class:e.class,children:[l("label",{for:e.id,title:n.doc,children:e.label}),l("select",{id:e.id,"aria-label":e.full,"aria-describedby":e.describedBy,value:be(s),onChange:i=>{e.set(i.currentTarget.value)},children:r.map(i=>l("option",{value:i,children:i},i))}),e.faultText]})}function xr(t){const e=_e(t);return l("div",{class:e.class,children:[l("label",{for:e.id,title:t.info.doc,children:e.label}),l("input",{id:e.id,type:"text","aria-label":e.full,"aria-describedby":e.describedBy,value:be(t.value),onChange:n=>{e.set(n.currentTarget.value)}}),e.faultText]})}function kr(t){return G(t)&&t.length===3&&t.every(e=>typeof e=="number")}const Sr=t=>t<=.0031308?12.92*t:1.055*t**(1/2.4)-.055,Er=t=>t<=.04045?t/12.92:((t+.055)/1.055)**2.4;function Tr(t){const e=_e(t),n=t.value,s=n.map(r=>Math.round(255*Sr(Math.min(Math.max(r,0),1)))).map(r=>r.toString(16).padStart(2,"0")).join("");return l("div",{class:e.class,children:[l("label",{for:e.id,title:t.info.doc,children:e.label}),l("span",{class:"colour",children:[l("input",{id:e.id,type:"color","aria-label":e.full,"aria-describedby":e.describedBy,value:`#${s}`,onChange:r=>{const i=r.currentTarget.value.slice(1).match(/../g)??[],o=a=>Number(Er(parseInt(a,16)/255).toFixed(4));e.set(i.map(o))}}),l("span",{children:n.map(r=>r.toFixed(3)).join(" ")})]}),e.faultText]})}function ln(t){const e=_e(t),{value:n,info:s}=t,r=I(n)?J(n,["wavelengths_nm"]):void 0,i=G(r)?`${String(r.length)} samples, ${be(r[0])} to ${be(r.at(-1))} nm`:typeof n=="string"?n:"as in the recipe";return l("div",{class:e.class,children:[l("span",{class:"label",title:s.doc,children:e.label}),l("span",{class:"plain",children:i}),s.kind==="spectrum"&&l("button",{type:"button",class:"small","aria-label":`One number in place of samples: ${e.full}`,onClick:()=>{e.set(Mr(n))},children:"One number"}),e.faultText]})}function Mr(t){const e=I(t)?t.values:void 0,n=G(e)?e.filter(r=>typeof r=="number"):[];if(n.length===0)return .5;const s=n.reduce((r,i)=>r+i,0)/n.length;return Number(s.toPrecision(4))}const Ar=new Set(["name","volume_fraction","mass_fraction","density_g_per_cm3","binder_density_g_per_cm3"]),Oe=new Set(["coats"]),$r="core",xe="name";function Fr(t,e){const n=Nt(t,e),s=e.keys.some(r=>r.choices==="pigments"&&r.key in t);return e.keys.filter(r=>!(r.key in t)&&!n.has(r.key)&&r.key!==xe&&r.choices!=="pigments"&&(!s||Ar.has(r.key)))}const Wt=ge(({path:t})=>{const e=E(c=>c.schema),n=Je(t),s=e===null?void 0:X(e,t),r=mr(t);if(e===null||s===void 0||!I(n))return null;const i=[],o=[],a=({key:c})=>c===$r;for(const c of[...s.keys.filter(u=>!a(u)),...s.keys.filter(a)]){const u=n[c.key],h=[...t,c.key];if(c.kind==="list")(G(u)||t.length===0||_s(t,c.key))&&X(e,[...h,0])!==void 0&&(Nt(n,s).has(c.key)||o.push(l(Or,{path:h},c.key)));else{if(u===void 0||c.key===xe)continue;c.kind==="table"?I(u)&&X(e,h)!==void 0&&o.push(l(Pr,{path:h,info:c},c.key)):i.push(l(vr,{path:h,info:c,value:u},c.key))}}return l(z,{children:[l(It,{id:`fault-${N(t)}`,text:r}),i,o]})});function _s(t,e){return t.length===2&&t[0]==="layer"||e==="coats"}const vs=ge(({path:t})=>{const e=E(i=>i.schema),n=P();E(({document:i})=>Rr(J(i.recipe,t)));const s=J(n.store.get().document.recipe,t),r=e===null?void 0:X(e,t);return e===null||r===void 0||!I(s)?null:l(Cr,{path:t,table:s,info:r,schema:e})});function Rr(t){return I(t)?Object.keys(t).join(" "):""}function Cr(t){const{path:e,table:n,info:s,schema:r}=t,i=P(),o=g=>g.kind!=="table"||X(r,[...e,g.key])!==void 0,a=g=>g.kind==="list"&&(e.length===0||_s(e,g.key)),c=Fr(n,s).filter(g=>o(g)&&!a(g)),u=new Set((s.alternatives??[]).filter(g=>g.required).flatMap(g=>g.each.map(b=>b.mark))),h=s.keys.filter(g=>g.key in n&&!g.required&&!u.has(g.key)&&g.key!==xe&&g.kind!=="list"&&g.kind!=="table"&&g.choices!=="pigments"),p=Nt(n,s),f=s.keys.some(g=>g.choices==="pigments"&&g.key in n)?[]:(s.alternatives??[]).flatMap((g,b)=>g.each.flatMap(({mark:y},_)=>{const v=Ot(n,g),w=g.each[v]?.mark??"";return _===v||y===""||w===""||p.has(w)?[]:[{g:b,i:_,text:`${B(y).label} in place of ${Lr(w)}`}]}));if(c.length+h.length+f.length===0)return null;const m=g=>{const[b,y,_]=g.split(":");i.edit(v=>{if(b==="add"){const k=s.keys.find(x=>x.key===y);return k===void 0?v:Y(v,[...e,k.key],Qe(r,e,k))}if(b==="remove")return Y(v,[...e,y??""],void 0);const w=s.alternatives?.[Number(y)],S=J(v.recipe,e);if(w===void 0||!I(S))return v;const T=ur(r,e,S,w,Number(_));return Y(v,e,T)})};return l("select",{class:"more","aria-label":`More of ${N(e)||"the paint"}`,value:"",onChange:g=>{m(g.currentTarget.value),g.currentTarget.value=""},children:[l("option",{value:"",children:"More"}),c.length>0&&l("optgroup",{label:"Add",children:c.map(({key:g})=>l("option",{value:`add:${g}`,children:B(g).label},g))}),f.length>0&&l("optgroup",{label:"Say otherwise",children:f.map(({g,i:b,text:y})=>l("option",{value:`instead:${String(g)}:${String(b)}`,children:y},y))}),h.length>0&&l("optgroup",{label:"Leave out",children:h.map(({key:g})=>l("option",{value:`remove:${g}`,children:B(g).label},g))})]})}function Lr(t){return B(t).label.toLowerCase()}function ws(t){const[e,n]=H(!0);return l("section",{class:`part ${t.kind}`,"aria-label":t.label,children:[l("header",{children:[l("button",{type:"button",class:"fold","aria-expanded":e,"aria-label":`${e?"Fold":"Unfold"} ${t.label}`,onClick:()=>{n(!e)},children:l(ds,{name:e?"open":"closed"})}),l("h3",{children:t.title}),l("span",{class:"tools",children:[l(vs,{path:t.path}),t.tools]})]}),e&&t.children]})}function Pr({path:t,info:e}){const n=P(),{label:s}=B(e.key);return l(ws,{path:t,kind:e.key,title:s,label:s,tools:!e.required&&l(oe,{icon:"remove",label:`Remove ${s}`,onClick:()=>{n.edit(r=>Y(r,t,void 0))}}),children:l(Wt,{path:t})})}const Or=ge(({path:t})=>{const e=Je(t),n=G(e)?e:[],s=String(t.at(-1)),r=[...n.keys()];Oe.has(s)&&r.reverse();const i=l(Nr,{path:t,at:n.length});return l("div",{class:`list ${s}`,children:[Oe.has(s)&&i,r.map(o=>l(Dr,{path:t,i:o,count:n.length},o)),!Oe.has(s)&&i]})}),cn="own coefficients",Nr=ge(({path:t,at:e})=>{const n=P(),s=E(a=>a.schema);if(s===null)return null;const r=String(t.at(-1)),i=Dt(r),o=(a=lr(s,t))=>{n.edit(c=>ls(c,t,e,a))};return r==="pigment"?l(Ze,{class:"add",label:"Add a pigment",text:"+ Pigment",chosen:null,choices:[...s.pigments,{name:cn,summary:"scattering and absorption",rgb:null}],onChoose:a=>{o(a===cn?{scattering_per_mm:10,absorption_per_mm:10}:{from:a,volume_fraction:.05})}}):l("button",{type:"button",class:"add",onClick:()=>{o()},children:["+ ",i.charAt(0).toUpperCase()+i.slice(1)]})}),Dr=ge(({path:t,i:e,count:n})=>{const s=P(),r=E(y=>y.schema),i=[...t,e],o=Je(i),a=String(t.at(-1)),c=Dt(a),u=a==="layer"&&n===1?"":` ${String(e+1)}`,h=`${c.charAt(0).toUpperCase()}${c.slice(1)}${u}`;if(!I(o)||r===null)return null;const p=X(r,i)?.keys.some(({key:y})=>y===xe)===!0,d=typeof o.name=="string"?o.name:"",f=d===""?h:`${h}, ${d}`,m=p?l("input",{type:"text",class:"name",value:d,placeholder:typeof o.from=="string"?o.from:h,"aria-label":`Name of ${h.toLowerCase()}`,onChange:y=>{const _=y.currentTarget.value;s.edit(v=>Y(v,[...i,xe],_===""?void 0:_))}}):h,g=Oe.has(a)?1:-1,b=(y,_)=>l(oe,{icon:_,label:`Move ${f} ${_}`,disabled:e+y<0||e+y>=n,onClick:()=>{s.edit(v=>er(v,t,e,y))}});return l(ws,{path:i,kind:a,title:m,label:f,tools:l(z,{children:[n>1&&b(g,"up"),n>1&&b(g===1?-1:1,"down"),l(oe,{icon:"copy",label:`Duplicate ${f}`,onClick:()=>{s.edit(y=>ls(y,t,e+1,o))}}),l(oe,{icon:"remove",label:`Remove ${f}`,onClick:()=>{s.edit(y=>Zs(y,t,e))}})]}),children:l(Wt,{path:i})})});function Ir(){const t=P(),e=E(a=>a.document.recipe.name),n=E(a=>a.fault),s=E(a=>a.notOpened),r=E(a=>a.paint?.warnings),i=s===null?n?.message:`Not opened: ${s}`;return l("section",{class:"composition","aria-label":"Composition",children:[l("div",{class:"paint-name",children:[l("input",{type:"text",class:"name","aria-label":"Name of the paint",placeholder:"Without a name",value:typeof e=="string"?e:"",onChange:a=>{const c=a.currentTarget.value;t.edit(u=>Y(u,["name"],c===""?void 0:c))}}),l(vs,{path:[]})]}),l("div",{class:"form",children:l(Wt,{path:[]})}),l("div",{class:"said-place",children:l("div",{class:i===void 0?"said":"said wrong",role:"status","aria-label":"What the server says of the recipe",children:(i===void 0?r??[]:[i]).map(a=>l("p",{children:a},a))})})]})}const Ge=180/Math.PI;function ys(t){const{position_mm:e,target_mm:n,fov_deg:s,aspect:r}=t.camera,[i,o,a]=[0,1,2].map(u=>e[u]-n[u]),c=Math.hypot(i,o,a);return{azimuth_deg:Math.atan2(o,i)*Ge,elevation_deg:Math.asin(a/c)*Ge,distance_mm:c,fov_deg:s,aspect:r}}function bs({aspect:t,...e},n,s){const r=Math.max(1,t*s/n),i=Math.tan(e.fov_deg/2/Ge);return{...e,fov_deg:2*Ge*Math.atan(i*r)}}const un=(t,e,n)=>Math.min(Math.max(t,e),n);function Wr(t,e,n=1){return{...t,elevation_deg:un(t.elevation_deg+e,-85,85),distance_mm:un(t.distance_mm/n,1,1e5)}}function hn(t){const e=(t%360+360)%360;return e>180?e-360:e}function Ve(t){return t instanceof Error?t.message:String(t)}function Ne(t,e,n){const s=URL.createObjectURL(new Blob([e],{type:n})),r=document.createElement("a");r.href=s,r.download=t,r.click(),setTimeout(()=>{URL.revokeObjectURL(s)},1e4)}function De(t,e){const s=(typeof t=="string"?t.toLowerCase().replace(/[^\p{L}\p{N}]+/gu,"-"):"").replace(/^-+|-+$/g,"").slice(0,80);return`${s===""?"paint":s}.${e}`}function Ur(t){return new Promise((e,n)=>{const s=new FileReader;s.onload=()=>{const r=s.result;e(r.slice(r.indexOf(",")+1))},s.onerror=()=>{n(new Error("the browser could not read it"))},s.readAsDataURL(t)})}function zr(t){document.querySelector("iframe.print")?.remove();const e=document.createElement("iframe");e.className="print",e.title="Report",e.addEventListener("load",()=>{e.contentWindow?.focus(),e.contentWindow?.print()}),e.srcdoc=t,document.body.append(e)}function Br(t){return new Promise((e,n)=>{t.toBlob(s=>{s===null?n(new Error("the browser could not write a PNG")):e(s)},"image/png")})}function Hr(t,e,n){const s=String(t.program);typeof t.glsl=="string"&&n.set(s,t.glsl);const r=n.get(s);if(r===void 0)throw new Error(`shader ${s}: its text did not come`);return{program:s,glsl:r,smoothCoat:t.smooth_coat===!0,flakes:r.includes("#define NACRE_FLAKES "),uniforms:t.uniforms,textures:e.map(({name:i,shape:o,data:a})=>({name:i,size:o.slice(0,-1).reverse(),data:new Uint16Array(a.buffer,a.byteOffset,a.byteLength/2)}))}}function xs(t){const[e,n]=new Uint32Array(t,0,2),s=8;return{positions:new Float32Array(t,s,3*e),normals:new Float32Array(t,s+12*e,3*e),indices:new Uint32Array(t,s+32*e,3*n)}}function ks(t){const[e]=new Uint32Array(t,0,1),n=new TextDecoder().decode(new Uint8Array(t,4,e)),s=JSON.parse(n),[r,i]=new Uint32Array(t,4+e,2),o=new Float32Array(t,12+e,3*r*i);return{...s,width:r,height:i,rgb:o}}const dn=6e6,Gr=80,Ut=".obj,.ply,.stl,.glb,.gltf",zt=".hdr,.exr",fn=t=>new RegExp(`(${t.replace(/\./g,"\\.").replace(/,/g,"|")})$`,"i"),[Vr,qr]=[fn(Ut),fn(zt)];function jr(t){return Vr.test(t)?"shape":qr.test(t)?"light":null}class Xr{constructor(e,n,s){this.store=e,this.viewer=n,this.ask=s}bringAgain(){const{ownShape:e,ownLight:n}=this.store.get();e!==null&&this.bring("shape",e.file,e.yUp),n!==null&&this.bring("light",n.file)}abandon(){for(const e of["shape","light"])this.viewer.hold(e,!1)}async bring(e,n,s=!1){const{ownShape:r,ownLight:i}=this.store.get(),o=e==="shape"?r:i;if(n.size>dn){const[a,c]=[n.size,dn].map(u=>(u/1e6).toFixed(1));this.say(`${n.name} has ${a??""} MB; at most ${c??""} MB can be shown.`);return}this.say(`Reading ${n.name} …`),this.viewer.hold(e,!0);try{const a=await Ur(n),c={file:n.name.slice(-Gr),base64:a};if(this.ask(e,e==="shape"?{...c,y_up:s}:c,(h,p)=>{this.viewer.hold(e,!1),h.type==="error"?this.say(String(h.message)):this.brought({file:n,yUp:s,name:""},o,h,p)}))return}catch(a){this.say(`${n.name}: ${Ve(a)}`)}this.viewer.hold(e,!1)}brought(e,n,s,r){const{schema:i}=this.store.get(),o=r[0]?.data;if(i===null||o===void 0)return;const a=o.buffer,c=this.viewer.store.get().view,u=n?.file===e.file;if(s.type==="shape"){const h=s.shape,p=[...i.shapes.filter(({name:b})=>b!==n?.name),h],d={...i,shapes:p};this.store.set({schema:d,ownShape:{...e,name:h.name}}),this.viewer.add(d,{mesh:xs(a)},h.name),(!u||c?.shape===n.name)&&this.viewer.setShape(d,h.name,!1);const[f,m]=[s.extent_mm,s.shown_mm].map(b=>Number(Number(b).toPrecision(3))),g=`${String(f)} mm${f===m?"":`, shown as ${String(m)} mm`}`;this.say(`${e.file.name}: ${String(s.triangles)} triangles, ${g}.`)}else{const h=s.light,p=[...i.lights.filter(({name:m})=>m!==n?.name),h],d={...i,lights:p};this.store.set({schema:d,ownLight:{...e,name:h.name}}),this.viewer.add(d,{light:ks(a)},h.name),(!u||c?.light===n.name)&&this.viewer.setView({light:h.name});const f=`${String(s.width)} x ${String(s.height)} pixels`;this.say(`${e.file.name}: ${f}, a white panel that lies flat is white. ${String(s.note)}`)}}say(e){this.store.set({notice:e})}}class pe{constructor(e,n,s){this.gl=e,this.handle=n,this.shaders=s,this.locations=new Map,this.checked=!1}static begin(e,n,s){const r=e.createProgram(),i=[[e.VERTEX_SHADER,n],[e.FRAGMENT_SHADER,s]].map(([o,a])=>{const c=e.createShader(o);return e.shaderSource(c,`#version 300 es
-${a}`),e.compileShader(c),e.attachShader(r,c),c});return e.linkProgram(r),new pe(e,r,i)}ready(){if(this.checked)return!0;const{gl:e}=this,n=e.getExtension("KHR_parallel_shader_compile");if(n!==null&&!e.getProgramParameter(this.handle,n.COMPLETION_STATUS_KHR)&&!e.isContextLost())return!1;if(!e.getProgramParameter(this.handle,e.LINK_STATUS)&&!e.isContextLost()){const s=this.shaders.map(r=>e.getShaderInfoLog(r));throw new Error(`shader: ${[e.getProgramInfoLog(this.handle),...s].join(`
-`)}`)}for(const s of this.shaders)e.deleteShader(s);return this.checked=!0,!0}use(){return this.gl.useProgram(this.handle),this}at(e){let n=this.locations.get(e);return n===void 0&&(n=this.gl.getUniformLocation(this.handle,e),this.locations.set(e,n)),n}int(e,n){this.gl.uniform1i(this.at(e),n)}floats(e,n,s){const{gl:r}=this,i=Float32Array.from(s),o=this.at(e);n===1?r.uniform1fv(o,i):n===2?r.uniform2fv(o,i):n===3?r.uniform3fv(o,i):r.uniform4fv(o,i)}matrix(e,n){const s=this.at(e);n.length===16?this.gl.uniformMatrix4fv(s,!1,n):this.gl.uniformMatrix3fv(s,!1,n)}}class _t{constructor(e,n,s,r,i){this.gl=e,this.width=n,this.height=s,this.depth=null,this.framebuffer=e.createFramebuffer(),e.bindFramebuffer(e.FRAMEBUFFER,this.framebuffer);const o=[];this.textures=r.map((a,c)=>{const u=e.createTexture();e.bindTexture(e.TEXTURE_2D,u),e.texStorage2D(e.TEXTURE_2D,1,a,n,s),Ss(e,e.TEXTURE_2D,e.NEAREST,e.CLAMP_TO_EDGE);const h=e.COLOR_ATTACHMENT0+c;return e.framebufferTexture2D(e.FRAMEBUFFER,h,e.TEXTURE_2D,u,0),o.push(h),u}),i&&(this.depth=e.createRenderbuffer(),e.bindRenderbuffer(e.RENDERBUFFER,this.depth),e.renderbufferStorage(e.RENDERBUFFER,e.DEPTH_COMPONENT24,n,s),e.framebufferRenderbuffer(e.FRAMEBUFFER,e.DEPTH_ATTACHMENT,e.RENDERBUFFER,this.depth)),e.drawBuffers(o),this.clear()}bind(){this.gl.bindFramebuffer(this.gl.FRAMEBUFFER,this.framebuffer),this.gl.viewport(0,0,this.width,this.height)}clear(){const{gl:e}=this;this.bind(),e.disable(e.SCISSOR_TEST),e.clearColor(0,0,0,0),e.clear(e.COLOR_BUFFER_BIT|(this.depth?e.DEPTH_BUFFER_BIT:0))}delete(){for(const e of this.textures)this.gl.deleteTexture(e);this.gl.deleteRenderbuffer(this.depth),this.gl.deleteFramebuffer(this.framebuffer)}}function Kr(t,e,n,s){const[r,i,o]=n;t.bindVertexArray(e);for(const[a,c,u]of[[0,r,s.positions],[1,i,s.normals]])t.bindBuffer(t.ARRAY_BUFFER,c),t.bufferData(t.ARRAY_BUFFER,u,t.STATIC_DRAW),t.enableVertexAttribArray(a),t.vertexAttribPointer(a,3,t.FLOAT,!1,0,0);t.bindBuffer(t.ELEMENT_ARRAY_BUFFER,o),t.bufferData(t.ELEMENT_ARRAY_BUFFER,s.indices,t.STATIC_DRAW),t.bindVertexArray(null)}function Yr(t,e){const{width:n,height:s}=e,r=new Float32Array(4*n*s);return e.bind(),e.textures.forEach((i,o)=>{const a=new Float32Array(r.length);t.readBuffer(t.COLOR_ATTACHMENT0+o),t.readPixels(0,0,n,s,t.RGBA,t.FLOAT,a);for(let c=0;c<r.length;c+=4){const u=1/Math.max(a[c+3],1);for(let h=c;h<c+3;++h)r[h]=r[h]+u*a[h];r[c+3]=1}}),r}function Ss(t,e,n,s){t.texParameteri(e,t.TEXTURE_MIN_FILTER,n),t.texParameteri(e,t.TEXTURE_MAG_FILTER,n),t.texParameteri(e,t.TEXTURE_WRAP_S,s),t.texParameteri(e,t.TEXTURE_WRAP_T,t.CLAMP_TO_EDGE),t.texParameteri(e,t.TEXTURE_WRAP_R,t.CLAMP_TO_EDGE)}function Ae(t,e,n,s,r,{linear:i=!1,repeat:o=!1}={}){const[a=1,c=1,u]=s,h=u===void 0?t.TEXTURE_2D:t.TEXTURE_3D,[p,d]=n==="r32f"?[t.R32F,t.RED]:[t.RGBA16F,t.RGBA],f=r instanceof Uint16Array?t.HALF_FLOAT:t.FLOAT;t.bindTexture(h,e),u===void 0?t.texImage2D(h,0,p,a,c,0,d,f,r):t.texImage3D(h,0,p,a,c,u,0,d,f,r),Ss(t,h,i?t.LINEAR:t.NEAREST,o?t.REPEAT:t.CLAMP_TO_EDGE)}const ae=Math.PI/180,qe=(t,e)=>[t[0]+e[0],t[1]+e[1],t[2]+e[2]],Jr=(t,e)=>[t[0]-e[0],t[1]-e[1],t[2]-e[2]],j=(t,e)=>[t*e[0],t*e[1],t*e[2]],pn=(t,e)=>[t[1]*e[2]-t[2]*e[1],t[2]*e[0]-t[0]*e[2],t[0]*e[1]-t[1]*e[0]],Qr=t=>j(1/Math.hypot(...t),t);function Es(t,e){const n=new Float32Array(16);for(let s=0;s<4;++s)for(let r=0;r<4;++r){let i=0;for(let o=0;o<4;++o)i+=t[4*o+r]*e[4*s+o];n[4*s+r]=i}return n}function Ie(t,e){const n=et(1),[s,r]=[Math.cos(e*ae),Math.sin(e*ae)],[i,o]=[(t+1)%3,(t+2)%3];return n[5*i]=n[5*o]=s,n[4*i+o]=r,n[4*o+i]=-r,n}function et(t){return new Float32Array([t,0,0,0,0,t,0,0,0,0,t,0,0,0,0,1])}function vt(t){const e=et(1);return e.set(t,12),e}function Ts(t,e,n){const[s,r,i]=t.rotation_deg;return[ei(n,e),vt(t.translation_mm),Ie(2,i),Ie(1,r),Ie(0,s),et(t.scale)].reduce(Es)}function Zr(t){const e=et(1);for(let n=0;n<3;++n){let s=0;for(let r=0;r<3;++r){const i=t[4*n+r];e[4*r+n]=i,s-=i*t[12+r]}e[12+n]=s}return e}function ei(t,e){return[vt(t),Ie(2,e),vt(j(-1,t))].reduce(Es)}function ve(t,e){const[n,s]=[Math.cos(e*ae),Math.sin(e*ae)];return[n*t[0]-s*t[1],s*t[0]+n*t[1],t[2]]}const ti=(t,e,n)=>qe(n,ve(Jr(t,n),e));function ni(t,e){const[n,s]=[t.azimuth_deg*ae,t.elevation_deg*ae],r=[Math.cos(s)*Math.cos(n),Math.cos(s)*Math.sin(n),Math.sin(s)],i=j(-1,r),o=Qr(pn(i,[0,0,1])),a=Math.tan(.5*t.fov_deg*ae);return{place:qe(t.target_mm,j(t.distance_mm,r)),ahead:i,across:j(a*e,o),upwards:j(a,pn(o,i))}}function si(t,e,n){const[s,r]=[.1*e,10*e],i=[t.across,t.upwards].map(m=>j(1/(m[0]**2+m[1]**2+m[2]**2),m)),[o,a]=i,{ahead:c,place:u}=t,h=(r+s)/(r-s),p=(m,g)=>m[0]*g[0]+m[1]*g[1]+m[2]*g[2],d=new Float32Array(16),f=(m,g,b)=>{for(let y=0;y<3;++y)d[4*y+m]=g[y];d[12+m]=b-p(g,u)};return f(0,qe(o,j(n[0],c)),0),f(1,qe(a,j(n[1],c)),0),f(2,j(h,c),-2*r*s/(r-s)),f(3,c,0),d}const fe=16,mn=4,at=Math.sqrt(fe),lt=t=>t<.5?Math.sqrt(2*t)-1:1-Math.sqrt(Math.max(2-2*t,0));function gn(t,e){const[n,s]=[lt(t/at),lt((t+1)/at)],[r,i]=[.5*(n+s),s-n],o=.5*i/(1-Math.abs(r));return[lt((t+e)/at),r,i,r<0?o:-o]}function ri(t,e){if(!e)return{asks:!1,part:_n(t)};const n=t<fe||t%mn===0,s=Math.min(t,fe)+Math.ceil(Math.max(t-fe,0)/mn);return{asks:n,part:_n(n?s:t-s)}}function _n(t){const[e,n]=[Math.floor(t/fe),t%fe],s=c=>n>>c&1,r=2*s(0)+s(2),i=2*(s(0)^s(1))+(s(2)^s(3)),o=gn(r,(e*.7548776662+.5)%1),a=gn(i,(e*.569840291+.5)%1);return{place:[o[0],a[0]],middle:[o[1],a[1]],size:[o[2],a[2]],tilt:[o[3],a[3]]}}function ii(t,e,n){return Zr(Ts({...t,scale:1},e,n))}function oi(t,e,{middle:n,size:s,tilt:r},i,o){t.int("flakesShown",i?1:0),t.int("flakesAsked",o?1:0),t.matrix("toRest",e),t.floats("partMiddle",2,n),t.floats("partSize",2,s),t.floats("partTilt",2,r)}const ai=`
+/*
+Made from web/studio by its build.mjs, with:
+
+preact 10.29.8
+
+The MIT License (MIT)
+
+Copyright (c) 2015-present Jason Miller
+
+Permission is hereby granted, free of charge, to any person obtaining a copy
+of this software and associated documentation files (the "Software"), to deal
+in the Software without restriction, including without limitation the rights
+to use, copy, modify, merge, publish, distribute, sublicense, and/or sell
+copies of the Software, and to permit persons to whom the Software is
+furnished to do so, subject to the following conditions:
+
+The above copyright notice and this permission notice shall be included in all
+copies or substantial portions of the Software.
+
+THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR
+IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,
+FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE
+AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER
+LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM,
+OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE
+SOFTWARE.
+
+three 0.187.0
+
+The MIT License
+
+Copyright © 2010-2026 three.js authors
+
+Permission is hereby granted, free of charge, to any person obtaining a copy
+of this software and associated documentation files (the "Software"), to deal
+in the Software without restriction, including without limitation the rights
+to use, copy, modify, merge, publish, distribute, sublicense, and/or sell
+copies of the Software, and to permit persons to whom the Software is
+furnished to do so, subject to the following conditions:
+
+The above copyright notice and this permission notice shall be included in
+all copies or substantial portions of the Software.
+
+THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR
+IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,
+FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE
+AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER
+LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM,
+OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN
+THE SOFTWARE.
+*/
+var Rs,tt,vu,Xn,Tl,xu,Su,Vs,$r,tr,Mu,Co,Ta,Aa,yu,ls={},cs=[],td=/acit|ex(?:s|g|n|p|$)|rph|grid|ows|mnc|ntw|ine[ch]|zoo|^ord|itera/i,Cs=Array.isArray;function Pn(n,e){for(var t in e)n[t]=e[t];return n}function Po(n){n&&n.parentNode&&n.parentNode.removeChild(n)}function Eu(n,e,t){var i,r,s,a={};for(s in e)s=="key"?i=e[s]:s=="ref"?r=e[s]:a[s]=e[s];if(arguments.length>2&&(a.children=arguments.length>3?Rs.call(arguments,2):t),typeof n=="function"&&n.defaultProps!=null)for(s in n.defaultProps)a[s]===void 0&&(a[s]=n.defaultProps[s]);return qr(n,a,i,r,null)}function qr(n,e,t,i,r){var s={type:n,props:e,key:t,ref:i,__k:null,__:null,__b:0,__e:null,__c:null,constructor:void 0,__v:r??++vu,__i:-1,__u:0};return r==null&&tt.vnode!=null&&tt.vnode(s),s}function Ht(n){return n.children}function nr(n,e){this.props=n,this.context=e}function di(n,e){if(e==null)return n.__?di(n.__,n.__i+1):null;for(var t;e<n.__k.length;e++)if((t=n.__k[e])!=null&&t.__e!=null)return t.__e;return typeof n.type=="function"?di(n):null}function nd(n){if(n.__P&&n.__d){var e=n.__v,t=e.__e,i=[],r=[],s=Pn({},e);s.__v=e.__v+1,tt.vnode&&tt.vnode(s),Lo(n.__P,s,e,n.__n,n.__P.namespaceURI,32&e.__u?[t]:null,i,t??di(e),!!(32&e.__u),r),s.__v=e.__v,s.__.__k[s.__i]=s,Ru(i,s,r),e.__e=e.__=null,s.__e!=t&&bu(s)}}function bu(n){if((n=n.__)!=null&&n.__c!=null)return n.__e=n.__c.base=null,n.__k.some(function(e){if(e!=null&&e.__e!=null)return n.__e=n.__c.base=e.__e}),bu(n)}function Ra(n){(!n.__d&&(n.__d=!0)&&Xn.push(n)&&!us.__r++||Tl!=tt.debounceRendering)&&((Tl=tt.debounceRendering)||xu)(us)}function us(){try{for(var n,e=1;Xn.length;)Xn.length>e&&Xn.sort(Su),n=Xn.shift(),e=Xn.length,nd(n)}finally{Xn.length=us.__r=0}}function wu(n,e,t,i,r,s,a,o,l,c,u){var p,h,d,_,S,m,f=i&&i.__k||cs,v=e.length;for(l=id(t,e,f,l,v),p=0;p<v;p++)(d=t.__k[p])!=null&&(h=d.__i!=-1&&f[d.__i]||ls,d.__i=p,m=Lo(n,d,h,r,s,a,o,l,c,u),_=d.__e,d.ref&&h.ref!=d.ref&&(h.ref&&Do(h.ref,null,d),u.push(d.ref,d.__c||_,d)),S==null&&_!=null&&(S=_),4&d.__u?(l=Tu(d,l,n),h.__e&&(h.__e=null)):typeof d.type=="function"&&m!==void 0?l=m:_&&(l=_.nextSibling),d.__u&=-7);return t.__e=S,l}function id(n,e,t,i,r){var s,a,o,l,c,u=t.length,p=u,h=0;for(n.__k=new Array(r),s=0;s<r;s++)(a=e[s])!=null&&typeof a!="boolean"&&typeof a!="function"?(typeof a=="string"||typeof a=="number"||typeof a=="bigint"||a.constructor==String?a=n.__k[s]=qr(null,a,null,null,null):Cs(a)?a=n.__k[s]=qr(Ht,{children:a},null,null,null):a.constructor===void 0&&a.__b>0?a=n.__k[s]=qr(a.type,a.props,a.key,a.ref?a.ref:null,a.__v):n.__k[s]=a,l=s+h,a.__=n,a.__b=n.__b+1,o=null,(c=a.__i=rd(a,t,l,p))!=-1&&(p--,(o=t[c])&&(o.__u|=2)),o==null||o.__v==null?(c==-1&&(r>u?h--:r<u&&h++),typeof a.type!="function"&&(a.__u|=4)):c!=l&&(c==l-1?h--:c==l+1?h++:(c>l?h--:h++,a.__u|=4))):n.__k[s]=null;if(p)for(s=0;s<u;s++)(o=t[s])!=null&&(2&o.__u)==0&&(o.__e==i&&(i=di(o)),Pu(o,o));return i}function Tu(n,e,t){var i,r;if(typeof n.type=="function"){for(i=n.__k,r=0;i&&r<i.length;r++)i[r]&&(i[r].__=n,e=Tu(i[r],e,t));return e}n.__e!=e&&(e&&n.type&&!e.parentNode&&(e=di(n)),e=t.insertBefore(n.__e,e||null));do e=e&&e.nextSibling;while(e!=null&&e.nodeType==8);return e}function rd(n,e,t,i){var r,s,a,o=n.key,l=n.type,c=e[t],u=c!=null&&(2&c.__u)==0;if(c===null&&o==null||u&&o==c.key&&l==c.type)return t;if(i>(u?1:0)){for(r=t-1,s=t+1;r>=0||s<e.length;)if((c=e[a=r>=0?r--:s++])!=null&&(2&c.__u)==0&&o==c.key&&l==c.type)return a}return-1}function Al(n,e,t){e[0]=="-"?n.setProperty(e,t??""):n[e]=t==null?"":typeof t!="number"||td.test(e)?t:t+"px"}function vr(n,e,t,i,r){var s,a;e:if(e=="style")if(typeof t=="string")n.style.cssText=t;else{if(typeof i=="string"&&(n.style.cssText=i=""),i)for(e in i)t&&e in t||Al(n.style,e,"");if(t)for(e in t)i&&t[e]==i[e]||Al(n.style,e,t[e])}else if(e[0]=="o"&&e[1]=="n")s=e!=(e=e.replace(Mu,"$1")),a=e.toLowerCase(),e=a in n||e=="onFocusOut"||e=="onFocusIn"?a.slice(2):e.slice(2),n.l||(n.l={}),n.l[e+s]=t,t?i?t[tr]=i[tr]:(t[tr]=Co,n.addEventListener(e,s?Aa:Ta,s)):n.removeEventListener(e,s?Aa:Ta,s);else{if(r=="http://www.w3.org/2000/svg")e=e.replace(/xlink(H|:h)/,"h").replace(/sName$/,"s");else if(e!="width"&&e!="height"&&e!="href"&&e!="list"&&e!="form"&&e!="tabIndex"&&e!="download"&&e!="rowSpan"&&e!="colSpan"&&e!="role"&&e!="popover"&&e in n)try{n[e]=t??"";break e}catch{}typeof t=="function"||(t==null||t===!1&&e[4]!="-"?n.removeAttribute(e):n.setAttribute(e,e=="popover"&&t==1?"":t))}}function Rl(n){return function(e){if(this.l){var t=this.l[e.type+n];if(e[$r]==null)e[$r]=Co++;else if(e[$r]<t[tr])return;return t(tt.event?tt.event(e):e)}}}function Lo(n,e,t,i,r,s,a,o,l,c){var u,p,h,d,_,S,m,f,v,w,y,A,R,g,E,U,P=e.type;if(e.constructor!==void 0)return null;128&t.__u&&(l=!!(32&t.__u),s=[o=e.__e=t.__e]),(u=tt.__b)&&u(e);e:if(typeof P=="function"){p=a.length;try{if(v=e.props,w=P.prototype&&P.prototype.render,y=(u=P.contextType)&&i[u.__c],A=u?y?y.props.value:u.__:i,t.__c?f=(h=e.__c=t.__c).__=h.__E:(w?e.__c=h=new P(v,A):(e.__c=h=new nr(v,A),h.constructor=P,h.render=ad),y&&y.sub(h),h.state||(h.state={}),h.__n=i,d=h.__d=!0,h.__h=[],h._sb=[]),w&&h.__s==null&&(h.__s=h.state),w&&P.getDerivedStateFromProps!=null&&(h.__s==h.state&&(h.__s=Pn({},h.__s)),Pn(h.__s,P.getDerivedStateFromProps(v,h.__s))),_=h.props,S=h.state,h.__v=e,d)w&&P.getDerivedStateFromProps==null&&h.componentWillMount!=null&&h.componentWillMount(),w&&h.componentDidMount!=null&&h.__h.push(h.componentDidMount);else{if(w&&P.getDerivedStateFromProps==null&&v!==_&&h.componentWillReceiveProps!=null&&h.componentWillReceiveProps(v,A),e.__v==t.__v||!h.__e&&h.shouldComponentUpdate!=null&&h.shouldComponentUpdate(v,h.__s,A)===!1){e.__v!=t.__v&&(h.props=v,h.state=h.__s,h.__d=!1),e.__e=t.__e,e.__k=t.__k,e.__k.some(function(D){D&&(D.__=e)}),cs.push.apply(h.__h,h._sb),h._sb=[],h.__h.length&&a.push(h),o=di(t);break e}h.componentWillUpdate!=null&&h.componentWillUpdate(v,h.__s,A),w&&h.componentDidUpdate!=null&&h.__h.push(function(){h.componentDidUpdate(_,S,m)})}if(h.context=A,h.props=v,h.__P=n,h.__e=!1,R=tt.__r,g=0,w)h.state=h.__s,h.__d=!1,R&&R(e),u=h.render(h.props,h.state,h.context),cs.push.apply(h.__h,h._sb),h._sb=[];else do h.__d=!1,R&&R(e),u=h.render(h.props,h.state,h.context),h.state=h.__s;while(h.__d&&++g<25);h.state=h.__s,h.getChildContext!=null&&(i=Pn(Pn({},i),h.getChildContext())),w&&!d&&h.getSnapshotBeforeUpdate!=null&&(m=h.getSnapshotBeforeUpdate(_,S)),E=u!=null&&u.type===Ht&&u.key==null?Cu(u.props.children):u,o=wu(n,Cs(E)?E:[E],e,t,i,r,s,a,o,l,c),h.base=e.__e,e.__u&=-161,h.__h.length&&a.push(h),f&&(h.__E=h.__=null)}catch(D){if(a.length=p,e.__v=null,l||s!=null){if(D.then){for(e.__u|=l?160:128;o&&o.nodeType==8&&o.nextSibling;)o=o.nextSibling;s!=null&&(s[s.indexOf(o)]=null),e.__e=o}else if(s!=null)for(U=s.length;U--;)Po(s[U])}else e.__e=t.__e;e.__k==null&&(e.__k=t.__k||[]),D.then||Au(e),tt.__e(D,e,t)}}else s==null&&e.__v==t.__v?(e.__k=t.__k,e.__e=t.__e):o=e.__e=sd(t.__e,e,t,i,r,s,a,l,c);return(u=tt.diffed)&&u(e),128&e.__u?void 0:o}function Au(n){n&&(n.__c&&(n.__c.__e=!0),n.__k&&n.__k.some(Au))}function Ru(n,e,t){for(var i=0;i<t.length;i++)Do(t[i],t[++i],t[++i]);tt.__c&&tt.__c(e,n),n.some(function(r){try{n=r.__h,r.__h=[],n.some(function(s){s.call(r)})}catch(s){tt.__e(s,r.__v)}})}function Cu(n){return typeof n!="object"||n==null||n.__b>0?n:Cs(n)?n.map(Cu):n.constructor!==void 0?null:Pn({},n)}function sd(n,e,t,i,r,s,a,o,l){var c,u,p,h,d,_,S,m=t.props||ls,f=e.props,v=e.type;if(v=="svg"?r="http://www.w3.org/2000/svg":v=="math"?r="http://www.w3.org/1998/Math/MathML":r||(r="http://www.w3.org/1999/xhtml"),s!=null){for(c=0;c<s.length;c++)if((d=s[c])&&"setAttribute"in d==!!v&&(v?d.localName==v:d.nodeType==3)){n=d,s[c]=null;break}}if(n==null){if(v==null)return document.createTextNode(f);n=document.createElementNS(r,v,f.is&&f),o&&(tt.__m&&tt.__m(e,s),o=!1),s=null}if(v==null)m===f||o&&n.data==f||(n.data=f);else{if(s=v=="textarea"&&f.defaultValue!=null?null:s&&Rs.call(n.childNodes),!o&&s!=null)for(m={},c=0;c<n.attributes.length;c++)m[(d=n.attributes[c]).name]=d.value;for(c in m)d=m[c],c=="dangerouslySetInnerHTML"?p=d:c=="children"||c in f||c=="value"&&"defaultValue"in f||c=="checked"&&"defaultChecked"in f||vr(n,c,null,d,r);for(c in f)d=f[c],c=="children"?h=d:c=="dangerouslySetInnerHTML"?u=d:c=="value"?_=d:c=="checked"?S=d:o&&typeof d!="function"||m[c]===d||vr(n,c,d,m[c],r);if(u)o||p&&(u.__html==p.__html||u.__html==n.innerHTML)||(n.innerHTML=u.__html),e.__k=[];else if(p&&(n.innerHTML=""),wu(e.type=="template"?n.content:n,Cs(h)?h:[h],e,t,i,v=="foreignObject"?"http://www.w3.org/1999/xhtml":r,s,a,s?s[0]:t.__k&&di(t,0),o,l),s!=null)for(c=s.length;c--;)Po(s[c]);o&&v!="textarea"||(c="value",v=="progress"&&_==null?n.removeAttribute("value"):_!=null&&(_!==n[c]||v=="progress"&&!_||v=="option"&&_!=m[c])&&vr(n,c,_,m[c],r),c="checked",S!=null&&S!=n[c]&&vr(n,c,S,m[c],r))}return n}function Do(n,e,t){try{if(typeof n=="function"){var i=typeof n.__u=="function";i&&n.__u(),i&&e==null||(n.__u=n(e))}else n.current=e}catch(r){tt.__e(r,t)}}function Pu(n,e,t){var i,r;if(tt.unmount&&tt.unmount(n),(i=n.ref)&&(i.current&&i.current!=n.__e||Do(i,null,e)),(i=n.__c)!=null){if(i.componentWillUnmount)try{i.componentWillUnmount()}catch(s){tt.__e(s,e)}i.base=i.__P=i.__n=null}if(i=n.__k)for(r=0;r<i.length;r++)i[r]&&Pu(i[r],e,t||typeof n.type!="function");t||Po(n.__e),n.__c=n.__=n.__e=void 0}function ad(n,e,t){return this.constructor(n,t)}function od(n,e,t){var i,r,s,a;e==document&&(e=document.documentElement),tt.__&&tt.__(n,e),r=(i=!1)?null:e.__k,s=[],a=[],Lo(e,n=e.__k=Eu(Ht,null,[n]),r||ls,ls,e.namespaceURI,r?null:e.firstChild?Rs.call(e.childNodes):null,s,r?r.__e:e.firstChild,i,a),Ru(s,n,a),n.props.children=null}function ld(n){function e(t){var i,r;return this.getChildContext||(i=new Set,(r={})[e.__c]=this,this.getChildContext=function(){return r},this.componentWillUnmount=function(){i=null},this.shouldComponentUpdate=function(s){this.props.value!=s.value&&i.forEach(function(a){a.__e=!0,Ra(a)})},this.sub=function(s){i.add(s);var a=s.componentWillUnmount;s.componentWillUnmount=function(){i&&i.delete(s),a&&a.call(s)}}),t.children}return e.__c="__cC"+yu++,e.__=n,e.Provider=e.__l=(e.Consumer=function(t,i){return t.children(i)}).contextType=e,e}Rs=cs.slice,tt={__e:function(n,e,t,i){for(var r,s,a;e=e.__;)if((r=e.__c)&&!r.__)try{if((s=r.constructor)&&s.getDerivedStateFromError!=null&&(r.setState(s.getDerivedStateFromError(n)),a=r.__d),r.componentDidCatch!=null&&(r.componentDidCatch(n,i||{}),a=r.__d),a)return r.__E=r}catch(o){n=o}throw n}},vu=0,nr.prototype.setState=function(n,e){var t;t=this.__s!=null&&this.__s!=this.state?this.__s:this.__s=Pn({},this.state),typeof n=="function"&&(n=n(Pn({},t),this.props)),n&&Pn(t,n),n!=null&&this.__v&&(e&&this._sb.push(e),Ra(this))},nr.prototype.forceUpdate=function(n){this.__v&&(this.__e=!0,n&&this.__h.push(n),Ra(this))},nr.prototype.render=Ht,Xn=[],xu=typeof Promise=="function"?Promise.prototype.then.bind(Promise.resolve()):setTimeout,Su=function(n,e){return n.__v.__b-e.__v.__b},us.__r=0,Vs=Math.random().toString(8),$r="__d"+Vs,tr="__a"+Vs,Mu=/(PointerCapture)$|Capture$/i,Co=0,Ta=Rl(!1),Aa=Rl(!0),yu=0;var cd=0;function b(n,e,t,i,r,s){e||(e={});var a,o,l=e;if("ref"in l)for(o in l={},e)o=="ref"?a=e[o]:l[o]=e[o];var c={type:n,props:l,key:t,ref:a,__k:null,__:null,__b:0,__e:null,__c:null,constructor:void 0,__v:--cd,__i:-1,__u:0,__source:r,__self:s};if(typeof n=="function"&&(a=n.defaultProps))for(o in a)l[o]===void 0&&(l[o]=a[o]);return tt.vnode&&tt.vnode(c),c}var Qn,it,Ws,Cl,hs=0,Lu=[],ut=tt,Pl=ut.__b,Ll=ut.__r,Dl=ut.diffed,Il=ut.__c,Nl=ut.unmount,Ul=ut.__;function zi(n,e){ut.__h&&ut.__h(it,n,hs||e),hs=0;var t=it.__H||(it.__H={__:[],__h:[]});return n>=t.__.length&&t.__.push({}),t.__[n]}function tn(n){return hs=1,Du(Iu,n)}function Du(n,e,t){var i=zi(Qn++,2);if(i.t=n,!i.__c&&(i.__=[Iu(void 0,e),function(o){var l=i.__N?i.__N[0]:i.__[0],c=i.t(l,o);l!==c&&(i.__N=[c,i.__[1]],i.__c.setState({}))}],i.__c=it,!it.__f)){var r=function(o,l,c){if(!i.__c.__H)return!0;var u=!1,p=i.__c.props!==o;if(i.__c.__H.__.some(function(d){if(d.__N){u=!0;var _=d.__[0];d.__=d.__N,d.__N=void 0,_!==d.__[0]&&(p=!0)}}),s){var h=s.call(this,o,l,c);return u?h||p:h}return!u||p};it.__f=!0;var s=it.shouldComponentUpdate,a=it.componentWillUpdate;it.componentWillUpdate=function(o,l,c){if(this.__e){var u=s;s=void 0,r(o,l,c),s=u}a&&a.call(this,o,l,c)},it.shouldComponentUpdate=r}return i.__N||i.__}function fi(n,e){var t=zi(Qn++,3);!ut.__s&&No(t.__H,e)&&(t.__=n,t.u=e,it.__H.__h.push(t))}function ds(n,e){var t=zi(Qn++,4);!ut.__s&&No(t.__H,e)&&(t.__=n,t.u=e,it.__h.push(t))}function wt(n){return hs=5,pi(function(){return{current:n}},[])}function pi(n,e){var t=zi(Qn++,7);return No(t.__H,e)&&(t.__=n(),t.__H=e,t.__h=n),t.__}function ud(n){var e=it.context[n.__c],t=zi(Qn++,9);return t.c=n,e?(t.__==null&&(t.__=!0,e.sub(it)),e.props.value):n.__}function Io(){var n=zi(Qn++,11);if(!n.__){for(var e=it.__v;e!==null&&!e.__m&&e.__!==null;)e=e.__;var t=e.__m||(e.__m=[0,0]);n.__="P"+t[0]+"-"+t[1]++}return n.__}function hd(){for(var n;n=Lu.shift();){var e=n.__H;if(n.__P&&e)try{e.__h.some(Yr),e.__h.some(Ca),e.__h=[]}catch(t){e.__h=[],ut.__e(t,n.__v)}}}ut.__b=function(n){it=null,Pl&&Pl(n)},ut.__=function(n,e){n&&e.__k&&e.__k.__m&&(n.__m=e.__k.__m),Ul&&Ul(n,e)},ut.__r=function(n){Ll&&Ll(n),Qn=0;var e=(it=n.__c).__H;e&&(Ws===it?(e.__h=[],it.__h=[],e.__.some(function(t){t.__N&&(t.__=t.__N),t.u=t.__N=void 0})):(e.__h.some(Yr),e.__h.some(Ca),e.__h=[],Qn=0)),Ws=it},ut.diffed=function(n){Dl&&Dl(n);var e=n.__c;e&&e.__H&&(e.__H.__h.length&&(Lu.push(e)!==1&&Cl===ut.requestAnimationFrame||((Cl=ut.requestAnimationFrame)||dd)(hd)),e.__H.__.some(function(t){t.u&&(t.__H=t.u,t.u=void 0)})),Ws=it=null},ut.__c=function(n,e){e.some(function(t){try{t.__h.some(Yr),t.__h=t.__h.filter(function(i){return!i.__||Ca(i)})}catch(i){e.some(function(r){r.__h&&(r.__h=[])}),e=[],ut.__e(i,t.__v)}}),Il&&Il(n,e)},ut.unmount=function(n){Nl&&Nl(n);var e,t=n.__c;t&&t.__H&&(t.__H.__.some(function(i){try{Yr(i)}catch(r){e=r}}),t.__H=void 0,e&&ut.__e(e,t.__v))};var Fl=typeof requestAnimationFrame=="function";function dd(n){var e,t=function(){clearTimeout(i),Fl&&cancelAnimationFrame(e),setTimeout(n)},i=setTimeout(t,35);Fl&&(e=requestAnimationFrame(t))}function Yr(n){var e=it,t=n.__c;typeof t=="function"&&(n.__c=void 0,t()),it=e}function Ca(n){var e=it;n.__c=n.__(),it=e}function No(n,e){return!n||n.length!==e.length||e.some(function(t,i){return t!==n[i]})}function Iu(n,e){return typeof e=="function"?e(n):e}function Nu(n,e,t){for(const[i,r]of Object.entries(e))r==null||r===!1||(i==="style"?n.style.cssText=String(r):n.setAttribute(i,r===!0?"":String(r)));for(const i of t)i!=null&&n.append(i)}function fd(n,e={},...t){const i=document.createElement(n);return Nu(i,e,t),i}function Bt(n,e={},...t){const i=document.createElementNS("http://www.w3.org/2000/svg",n);return Nu(i,e,t),i}function et(n,e){if(n==null||Number.isNaN(n))return"–";const t=n.toFixed(e);return(Number(t)===0?t.replace("-",""):t).replace("-","−")}function ur(n){return n.replace(/-/g,"−")}function Rt(n){return typeof n=="object"&&!Array.isArray(n)}function nn(n){return Array.isArray(n)}function ht(n){let e="";for(const t of n)typeof t=="number"?e+=`[${String(t)}]`:e+=e===""?t:`.${t}`;return e}function Uo(n){const e=[];for(const t of n.matchAll(/\[(\d+)\]|[^.[\]]+/g))e.push(t[1]===void 0?t[0]:Number(t[1]));return e}function pd(n){return ht(n).replace(/\[\d+\]/g,"[]")}function Un(n,e){let t=n;for(const i of e)typeof i=="number"?t=nn(t)?t[i]:void 0:t=Rt(t)?t[i]:void 0;return t}function Ps(n,e,t){return Pa(n,e,t)}function Pa(n,e,t){const[i,...r]=e;if(i===void 0)return t;if(typeof i=="number"){const o=nn(n)?[...n]:[],l=Pa(o[i],r,t);return l===void 0?o.splice(i,1):o[i]=l,o}const s=Rt(n)?{...n}:{},a=Pa(s[i],r,t);return a===void 0?Reflect.deleteProperty(s,i):s[i]=a,s}const md=["fit","uncertainty"];function Ln(n,e,t){const i=Ps(n.recipe,e,t);return t===void 0?Fu({...n,recipe:i},r=>Uu(r,e)?null:r):{...n,recipe:i}}function gd(n,e,t){const i=new Set(n.locks);return t?i.add(ht(e)):i.delete(ht(e)),{...n,locks:i}}const _d="correlation";function Uu(n,e){return e.every((t,i)=>n[i]===t)}function Fu(n,e){const t=s=>{const a=e(Uo(s));return a===null?null:ht(a)},i=new Set;for(const s of n.locks){const a=t(s);a!==null&&i.add(a)}let r=n.recipe;for(const s of md){const a=r[s];if(!Rt(a))continue;const o=Object.entries(a).flatMap(([c,u])=>{if(c===_d){const h=nn(u)?vd(u,t):u;return nn(h)&&h.length===0?[]:[[c,h]]}const p=t(c);return p===null?[]:[[p,u]]}),l=o.length>0?Object.fromEntries(o):void 0;r=Ps(r,[s],l)}return{recipe:r,locks:i}}function vd(n,e){return n.flatMap(t=>{const i=Rt(t)?t.of:void 0;if(!Rt(t)||!nn(i))return[t];const r=i.flatMap(s=>{const a=typeof s=="string"?e(s):s;return a===null?[]:[a]});return r.length<2?[]:[{...t,of:r}]})}function Fo(n,e,t){return Fu(n,i=>{const r=i[e.length];if(!Uu(i,e)||typeof r!="number")return i;const s=t(r);return s===null?null:[...e,s,...i.slice(e.length+1)]})}function Oo(n,e){const t=Un(n.recipe,e);return nn(t)?t:[]}function Bo(n,e,t){return{...n,recipe:Ps(n.recipe,e,t.length>0?t:void 0)}}function Ou(n,e,t,i){const r=[...Oo(n,e)];r.splice(t,0,i);const s=Fo(n,e,a=>a>=t?a+1:a);return Bo(s,e,r)}function xd(n,e,t){const i=Oo(n,e).filter((s,a)=>a!==t),r=Fo(n,e,s=>s===t?null:s>t?s-1:s);return Bo(r,e,i)}function Sd(n,e,t,i){const r=[...Oo(n,e)],[s,a]=[r[t],r[t+i]];if(s===void 0||a===void 0)return n;r[t]=a,r[t+i]=s;const o=Fo(n,e,l=>l===t?t+i:l===t+i?t:l);return Bo(o,e,r)}class ko{constructor(e){this.value=e,this.listeners=new Set}get(){return this.value}set(e){this.value={...this.value,...e};for(const t of[...this.listeners])t()}subscribe(e){return this.listeners.add(e),()=>{this.listeners.delete(e)}}}function zo(n,e){const[,t]=Du(s=>s+1,0),i=e(n.get()),r=wt(e);return r.current=e,fi(()=>{let s=i;const a=()=>{const o=r.current(n.get());Object.is(o,s)||(s=o,t(void 0))};return a(),n.subscribe(a)},[n,i]),i}const Bu=ld(null),Md=Bu.Provider;function ct(){const n=ud(Bu);if(n===null)throw new Error("drawn outside of the studio");return n}function we(n){return zo(ct().store,n)}function Ls(n){return we(({document:e})=>Un(e.recipe,n))}function kt(n){return zo(ct().viewer.store,n)}function Kr(n){return zo(ct().atlas.store,n)}function Sn(n,e){const t=pd(e);return n.recipe.tables.find(i=>i.path===t)}const yd=[["_g_per_cm3","g/cm³"],["_per_mm","mm⁻¹"],["_per_um","µm⁻¹"],["_um","µm"],["_nm","nm"],["_mm","mm"],["_deg","°"]],Ed={ior:"Binder",alpha:"Tilt, alpha",alpha_bottom:"Tilt at bottom",diameter_spread_um:"± diameter",spread_nm:"± thickness",wa:"Waves a",wb:"Waves b",wc:"Waves c",wd:"Waves d",we:"Waves e"};function Xt(n){const e=yd.find(([r])=>n.endsWith(r)),t=e===void 0?n:n.slice(0,-e[0].length),i=Ed[n]??t.replace(/_/g," ");return{label:i.charAt(0).toUpperCase()+i.slice(1),unit:e?.[1]??""}}function Go(n,e){const t=e.each.findIndex(({mark:i})=>i!==""&&i in n);return Math.max(t,0)}function Ho(n,e){const t=new Set,i=new Set;for(const r of e.alternatives??[]){const s=Go(n,r);r.each.forEach(({keys:a},o)=>{for(const l of a)(o===s?i:t).add(l)})}for(const r of i)t.delete(r);return t}function bd(n){const{min:e,max:t}=n;if(e===void 0&&t===void 0)return"";const i=n.min_excluded===!0||e===null?"(":"[",r=n.max_excluded===!0||t===null?")":"]",s=e==null?"−∞":Fn(e),a=t==null?"∞":Fn(t),o=Xt(n.key).unit;return`${n.zero===void 0?"":"0 or "}${i}${s}, ${a}${r}${o===""?"":` ${o}`}`}function Fn(n){return String(Number(n.toPrecision(6))).replace("-","−")}function wd(n,e){if(!Number.isFinite(e))return!1;if(n.zero!==void 0&&e===0)return!0;const{min:t,max:i}=n;return t!=null&&(n.min_excluded?e<=t:e<t)?!1:!(i!=null&&(n.max_excluded?e>=i:e>i))}function ku(n,e){const t=[],i=r=>{const s=Un(e,r),a=Sn(n,r);if(!(!Rt(s)||a===void 0))for(const o of a.keys){const l=s[o.key],c=[...r,o.key];typeof l=="number"&&(o.kind==="number"||o.kind==="spectrum")?t.push({path:c,info:o,value:l}):o.kind==="table"?i(c):o.kind==="list"&&nn(l)&&l.forEach((u,p)=>{i([...c,p])})}};return i([]),t}function hr(n,e){const t=[];e.slice(0,-1).forEach((r,s)=>{if(typeof r=="number"){const a=Un(n,e.slice(0,s+1)),o=Rt(a)?a.name??a.from??a.material:void 0,c=`${Vo(String(e[s-1]))} ${String(r+1)}`;t.push(typeof o=="string"&&o!==""?o:c)}else typeof e[s+1]!="number"&&t.push(r.replace(/_/g," "))});const i=t.join(", ");return i.charAt(0).toUpperCase()+i.slice(1)}function Vo(n){return n==="flakes"?n:n.replace(/s$/,"")}const Td={clearcoat:{thickness_um:45},lean:{tilt_deg:5,azimuth_deg:0},substrate:{reflectance:.05},"layer[]":{thickness_um:15},"layer[].flakes[]":{name:"TiO2 on mica",volume_fraction:.03,diameter_um:18,orientation:{distribution:"beckmann",alpha:.1},core:{material:"mica",thickness_nm:500,spread_nm:60},coats:[{material:"TiO2_anatase",thickness_nm:110,spread_nm:5}]},"layer[].flakes[].coats[]":{material:"SiO2",thickness_nm:100,spread_nm:5},"layer[].flakes[].core":{material:"mica",thickness_nm:500,spread_nm:60},"layer[].flakes[].orientation.tilts[]":{tilt_deg:4,density:1},"clearcoat.orange_peel":{wc:.005,wd:.005},microfacet:{alpha:.1,film_ior:1.8,film_thickness_nm:150,base_ior:1.08,base_extinction:.5},"microfacet.facets":{count:1e7,cone_deg:3}},Ad={volume_fraction:.03,area_density_per_um:.1,mass_fraction:.05,density_g_per_cm3:3,diameter_nm:250,d10_um:8,d50_um:18,d90_um:32,thickness_um:15,thickness_nm:100,alpha:.1,reflectance:.5,K:10,S:10,scattering_per_mm:10,absorption_per_mm:10,waviness:.02,edge_um:.5,thickness_spread_um:3,roughness:.1,spread_nm:5,diameter_spread_um:5,transmittance:.1,alpha_bottom:.1};function Ds(n,e,t){const i=[...e,t.key].map(a=>typeof a=="number"?"[]":`.${a}`).join("").slice(1),r=Td[t.kind==="list"?`${i}[]`:i];if(r!==void 0)return t.kind==="list"?[r]:r;if(i==="layer[].pigment")return[Cd(n)];const s=Ad[t.key];switch(t.kind){case"number":case"spectrum":return s??t.default??t.min??0;case"material":return n.materials[0]?.name??1.5;case"text":return t.choices==="pigments"?n.pigments[0]?.name??"":"";case"choice":return(Array.isArray(t.choices)?t.choices[0]:"")??"";case"flag":return!0;case"list":return[Ol(n,[...e,t.key,0])];case"table":return Ol(n,[...e,t.key])}}function Rd(n,e){const t=Sn(n,e.slice(0,-1))?.keys.find(r=>r.key===e.at(-1));if(t===void 0)return{};const i=Ds(n,e.slice(0,-1),t);return(Array.isArray(i)?i[0]:i)??{}}function Cd(n){const e=n.pigments[0];return e===void 0?{scattering_per_mm:10,absorption_per_mm:10}:{from:e.name,volume_fraction:.05}}function Ol(n,e){const t=Sn(n,e);if(t===void 0)return{};const i=new Set((t.alternatives??[]).flatMap(({each:s})=>s.flatMap(a=>a.keys))),r={};for(const s of t.keys)s.required&&!i.has(s.key)&&(r[s.key]=Ds(n,e,s));for(const s of t.alternatives??[])zu(n,e,t,s.each[0],r);return r}function zu(n,e,t,i,r){for(const s of t.keys)(s.key===i?.mark||s.required&&i?.keys.includes(s.key))===!0&&r[s.key]===void 0&&(r[s.key]=Ds(n,e,s))}function Pd(n,e,t,i,r){const s=Sn(n,e),a=i.each[r];if(s===void 0||a===void 0||Go(t,i)===r)return t;const o=new Set(i.each.flatMap(({keys:u})=>u));for(const u of a.keys)o.delete(u);const l=Object.entries(t).filter(([u])=>!o.has(u)),c=Object.fromEntries(l);return zu(n,e,s,a,c),c}const Ld={up:"M8 13V3M3.5 7.5 8 3l4.5 4.5",down:"M8 3v10M3.5 8.5 8 13l4.5-4.5",remove:"m4 4 8 8m0-8-8 8",copy:"M5.5 5.5v-3h8v8h-3m-8-5h8v8h-8z",lock:"M3.5 7.5h9v6h-9zM5.5 7.5V5a2.5 2.5 0 0 1 5 0v2.5",unlock:"M3.5 7.5h9v6h-9zM5.5 7.5V5a2.5 2.5 0 0 1 4.6-1.4",open:"m5 6 3 3.5L11 6",closed:"m6 5 3.5 3L6 11",undo:"M6 3 2.5 6.5 6 10M2.5 6.5H9a4 4 0 0 1 0 8H6",redo:"m10 3 3.5 3.5L10 10m3.5-3.5H7a4 4 0 0 0 0 8h3",add:"M8 3v10M3 8h10"};function Gu({name:n}){return b("svg",{class:"icon",viewBox:"0 0 16 16",width:"16",height:"16","aria-hidden":"true",children:b("path",{d:Ld[n]})})}function ci(n){return b("button",{type:"button",class:"icon-button","aria-label":n.label,title:n.label,disabled:n.disabled??!1,"aria-pressed":n.pressed,onClick:n.onClick,children:b(Gu,{name:n.icon})})}function Hu(n){const e=t=>String(Math.round(255*Math.min(Math.max(t,0),1)));return`rgb(${n.map(e).join(", ")})`}function Bl({rgb:n}){return n===void 0?null:n===null?b("i",{class:"swatch none"}):b("i",{class:"swatch",style:{background:Hu(n)}})}const xr=2,Sr=8,kl=380;function zl(n,e){const{top:t,bottom:i,left:r,width:s}=e.getBoundingClientRect(),a=innerHeight-i-xr-Sr,o=t-xr-Sr,l=Math.min(kl,n.scrollHeight),c=a<l&&o>a,{style:u}=n;u.minWidth=`${String(s)}px`,u.maxHeight=`${String(Math.min(kl,c?o:a))}px`,u.left=`${String(Math.max(Sr,Math.min(r,innerWidth-n.offsetWidth-Sr)))}px`,u.top=c?"auto":`${String(i+xr)}px`,u.bottom=c?`${String(innerHeight-t+xr)}px`:"auto"}const Dd=800;function Is(n){const{choices:e,chosen:t,onChoose:i}=n,[r,s]=tn(!1),[a,o]=tn(0),l=Io(),c=wt(null),u=wt(null),p=wt(null),h=wt({text:"",at:0}),d=e.find(({name:w})=>w===t);ds(()=>{if(!r||p.current===null||u.current===null)return;const[w,y]=[p.current,u.current];zl(w,y),w.focus({preventScroll:!0});const A=E=>{c.current?.contains(E.target)!==!0&&s(!1)},R=E=>{E.target!==w&&zl(w,y)},g=new IntersectionObserver(([E])=>{E?.isIntersecting===!1&&s(!1)});return g.observe(y),document.addEventListener("pointerdown",A),document.addEventListener("scroll",R,!0),addEventListener("resize",R),()=>{g.disconnect(),document.removeEventListener("pointerdown",A),document.removeEventListener("scroll",R,!0),removeEventListener("resize",R)}},[r]),fi(()=>{r&&p.current?.children[a]?.scrollIntoView({block:"nearest"})},[r,a]);const _=()=>{o(Math.max(0,e.findIndex(({name:w})=>w===t))),s(!0)},S=()=>{s(!1),u.current?.focus()},m=w=>{const y=e[w];S(),y!==void 0&&i(y.name)},f=w=>{const y=Date.now(),A=y-h.current.at>Dd;h.current={text:(A?"":h.current.text)+w.toLowerCase(),at:y};const R=A?a+1:a,E=[...e.keys()].map(U=>(U+R)%e.length).find(U=>{const{title:P,name:D}=e[U];return(P??D).toLowerCase().startsWith(h.current.text)});E!==void 0&&o(E)},v=w=>{const y=e.length-1;if(w.key==="ArrowDown")o(Math.min(a+1,y));else if(w.key==="ArrowUp")o(Math.max(a-1,0));else if(w.key==="Home")o(0);else if(w.key==="End")o(y);else if(w.key==="Enter"||w.key===" ")m(a);else if(w.key==="Escape")S();else if(w.key==="Tab")s(!1);else if(w.key.length===1&&!w.ctrlKey&&!w.metaKey)f(w.key);else return;w.key!=="Tab"&&w.preventDefault(),w.stopPropagation()};return b("div",{class:`picker ${n.class??""}`,ref:c,children:[b("button",{type:"button",ref:u,class:"picked","aria-label":d===void 0?n.label:`${n.label}: ${d.name}`,"aria-haspopup":"listbox","aria-expanded":r,disabled:n.disabled??!1,onClick:()=>{r?s(!1):_()},onKeyDown:w=>{(w.key==="ArrowDown"||w.key==="ArrowUp")&&(w.preventDefault(),_())},children:[n.text===void 0&&b(Bl,{rgb:d?.rgb}),b("span",{children:n.text??d?.title??d?.name??t??""})]}),r&&b("ul",{ref:p,class:"choices",role:"listbox",tabIndex:-1,"aria-label":n.label,"aria-activedescendant":`${l}-${String(a)}`,onKeyDown:v,children:e.map((w,y)=>b("li",{id:`${l}-${String(y)}`,role:"option","aria-selected":w.name===t,class:y===a?"active":"",onPointerMove:()=>{o(y)},onClick:()=>{m(y)},children:[b(Bl,{rgb:w.rgb}),b("span",{children:[w.title??w.name,w.summary!==void 0&&b("small",{children:w.summary})]})]},w.name))})]})}function Gi(n){return class extends nr{shouldComponentUpdate(t){return!Id(this.props,t)}render(){return Eu(n,this.props)}}}function Id(n,e){const[t,i]=[Object.entries(n),new Map(Object.entries(e))];return t.length===i.size&&t.every(([r,s])=>i.has(r)&&Nd(r,s,i.get(r)))}function Nd(n,e,t){return n==="path"?ht(e)===ht(t):e===t}function Vu(n){const e=ht(n);return we(({fault:t})=>t?.key===e?La(t.message,e):null)}function Ud(n){const e=ht(n);return we(({fault:t,document:i})=>{if(t?.key===void 0)return null;if(t.key===e)return La(t.message,e);const r=Uo(t.key);return r.length===n.length+1&&n.every((a,o)=>r[o]===a)&&Un(i.recipe,r)===void 0?La(t.message,e):null})}function La(n,e){const t=n.indexOf(e),i=t<0?n:n.slice(t+e.length).replace(/^[ .:]+/,""),r=i.startsWith("= ")?i.indexOf(": "):-1;return r<0?i:i.slice(r+2)}function Wo({id:n,text:e}){return e===null?null:b("p",{class:"fault",id:n,role:"alert",children:e})}const Fd={nm:100,um:50,"1/mm":100,"1/um":1,deg:45,"g/cm^3":5};function Ii(n){const e=10**Math.floor(Math.log10(n)),t=[1,2,5,10].find(i=>i*e>=n*(1-1e-9))??10;return Number((t*e).toPrecision(12))}function Wu(n,e,t){const i=n.min??-1/0,r=n.max??1/0;let s,a;if(t!==void 0)[s,a]=t;else if(r-i<=1.0000001&&e>r/4)[s,a]=[i,r];else if(i<0)[s,a]=[i,r];else{const l=e>0?Ii(2*e):Fd[n.unit]??1;[s,a]=[0,Math.min(l,r)]}Number.isFinite(s)||(s=-Ii(2*Math.abs(e)||1)),Number.isFinite(a)||(a=Ii(2*Math.abs(e)||1)),s<i&&n.zero===void 0&&(s=i);const o=Ii((a-s)/500);return{low:s,high:a,step:o}}function Xs(n,e,t){const i=Number((Math.round(t/e.step)*e.step).toPrecision(12));let r=Math.min(Math.max(i,e.low),e.high);const{min:s,max:a}=n;return n.zero!==void 0&&s!==null&&s!==void 0&&r<s?r<s/2?0:s:(s!=null&&(r=Math.max(r,n.min_excluded?s+e.step:s)),a!=null&&(r=Math.min(r,n.max_excluded?a-e.step:a)),Number(r.toPrecision(12)))}function Gl(n){return String(Number(n.toPrecision(6)))}function Od(n){if(!Array.isArray(n)||n.length!==2)return;const[e,t]=n;return typeof e=="number"&&typeof t=="number"?[e,t]:void 0}function Xu(n){const{path:e,info:t,value:i}=n,r=ct(),s=ht(e),a=we(F=>F.document.locks.has(s)),o=we(F=>hr(F.document.recipe,e)),l=Od(Ls(["fit",s])),c=Vu(e),u=Io(),[p,h]=tn(null),[d,_]=tn(null),S=wt(null),m=wt(!1),f=S.current,v=f===null||i>f.high||i<f.low,w=f!==null&&i>0&&i<f.high/40;(v||w&&!m.current)&&(S.current=Wu(t,i,l));const{low:y,high:A,step:R}=S.current,{unit:g}=Xt(t.key),E=n.label??Xt(t.key).label,U=bd(t),P=`${E}, ${o}`,D=(F,K)=>{r.edit(k=>Ln(k,e,F),K)},G=()=>{if(p===null)return;const F=Number(p.trim().replace("−","-").replace(",","."));if(h(null),p.trim()===""||!Number.isFinite(F)){_(`“${p}” is not a number`);return}_(null),F!==i&&D(F,null)},W=(F,K)=>{K.preventDefault(),h(null);const k=K.shiftKey?10*R:R;D(Xs(t,{low:y,high:1/0,step:R},i+F*k),`type ${s}`)},I=d??c;return b("div",{class:I===null?"row number":"row number wrong","data-key":s,children:[b("label",{for:u,title:t.doc,children:E}),b("input",{type:"range",min:y,max:A,step:"any",value:i,disabled:a,"aria-label":`${P}, slider`,"aria-valuetext":`${Gl(i)} ${g}`,onInput:F=>{m.current=!0,_(null);const K=Number(F.currentTarget.value);D(Xs(t,{low:y,high:A,step:R},K),`slide ${s}`)},onChange:()=>{m.current=!1,r.endGesture()},onKeyDown:F=>{const k={ArrowRight:1,ArrowUp:1,ArrowLeft:-1,ArrowDown:-1,PageUp:20,PageDown:-20}[F.key];if(k===void 0)return;F.preventDefault();const te=F.shiftKey?10*R:R,X=Xs(t,{low:y,high:A,step:R},i+k*te);D(X,`slide ${s}`)},onBlur:()=>{r.endGesture()}}),b("input",{id:u,type:"text",inputMode:"decimal",autocomplete:"off",value:p??Gl(i),readOnly:a,title:U===""?t.doc:`${t.doc}; ${U}`,"aria-label":P,"aria-invalid":I!==null,"aria-describedby":I===null?void 0:`${u}-fault`,onInput:F=>{h(F.currentTarget.value)},onFocus:F=>{F.currentTarget.select()},onBlur:()=>{G(),r.endGesture()},onKeyDown:F=>{if(F.key==="Enter")G();else if(F.key==="Escape")h(null),_(null);else{if(a)return;F.key==="ArrowUp"?W(1,F):F.key==="ArrowDown"&&W(-1,F)}}}),b("span",{class:"unit",children:g}),b(ci,{icon:a?"lock":"unlock",label:a?`Unlock ${P}`:`Lock ${P}`,pressed:a,onClick:()=>{r.edit(F=>gd(F,e,!a))}}),b(Wo,{id:`${u}-fault`,text:I})]})}const Bd=Gi(({path:n,info:e,value:t})=>{if(typeof t=="number"&&e.kind!=="material")return b(Xu,{path:n,info:e,value:t});switch(e.kind){case"material":return b(kd,{path:n,info:e,value:t});case"choice":return b(Gd,{path:n,info:e,value:t});case"text":return e.choices==="pigments"?b(zd,{path:n,info:e,value:t}):b(Hd,{path:n,info:e,value:t});case"spectrum":return Vd(t)?b($d,{path:n,info:e,value:t}):b(Hl,{path:n,info:e,value:t});default:return b(Hl,{path:n,info:e,value:t})}});function Hi({path:n,info:e}){const t=ct(),i=we(o=>hr(o.document.recipe,n)),r=Vu(n),s=Io(),{label:a}=Xt(e.key);return{id:s,label:a,full:i===""?a:`${a}, ${i}`,fault:r,faultText:b(Wo,{id:`${s}-fault`,text:r}),describedBy:r===null?void 0:`${s}-fault`,class:r===null?"row":"row wrong",set:o=>{t.edit(l=>Ln(l,n,o))}}}function rr(n){return typeof n=="string"||typeof n=="number"?String(n):""}const $s="a number: its index";function kd(n){const e=Hi(n),{value:t}=n,i=we(u=>u.schema?.materials)??[],{info:r,path:s}=n,a=Rt(t)?"own samples":typeof t=="string"?t:null,o=i.some(({name:u})=>u===t),l=[...a!==null&&!o?[{name:a,rgb:null}]:[],...i,{name:$s,summary:"the same at all wavelengths",rgb:null}],c=b(Is,{label:e.full,choices:l,chosen:typeof t=="number"?$s:a,onChoose:u=>{u===$s?e.set(typeof t=="number"?t:1.5):u!==a&&e.set(u)}});return typeof t=="number"?b(Ht,{children:[b("div",{class:e.class,children:[b("span",{class:"label",title:r.doc,children:e.label}),c]}),b(Xu,{path:s,info:{...r,kind:"number"},value:t,label:"Index"})]}):b("div",{class:e.class,"data-key":s.join("."),children:[b("span",{class:"label",title:r.doc,children:e.label}),c,e.faultText]})}function zd(n){const e=Hi(n),t=we(i=>i.schema?.pigments)??[];return b("div",{class:e.class,children:[b("span",{class:"label",children:"Pigment"}),b(Is,{label:e.full,choices:t,chosen:rr(n.value),onChoose:e.set}),e.faultText]})}function Gd(n){const e=Hi(n),{info:t,value:i}=n,r=Array.isArray(t.choices)?t.choices:[];return b("div",{class:e.class,children:[b("label",{for:e.id,title:t.doc,children:e.label}),b("select",{id:e.id,"aria-label":e.full,"aria-describedby":e.describedBy,value:rr(i),onChange:s=>{e.set(s.currentTarget.value)},children:r.map(s=>b("option",{value:s,children:s},s))}),e.faultText]})}function Hd(n){const e=Hi(n);return b("div",{class:e.class,children:[b("label",{for:e.id,title:n.info.doc,children:e.label}),b("input",{id:e.id,type:"text","aria-label":e.full,"aria-describedby":e.describedBy,value:rr(n.value),onChange:t=>{e.set(t.currentTarget.value)}}),e.faultText]})}function Vd(n){return nn(n)&&n.length===3&&n.every(e=>typeof e=="number")}const Wd=n=>n<=.0031308?12.92*n:1.055*n**(1/2.4)-.055,Xd=n=>n<=.04045?n/12.92:((n+.055)/1.055)**2.4;function $d(n){const e=Hi(n),t=n.value,i=t.map(r=>Math.round(255*Wd(Math.min(Math.max(r,0),1)))).map(r=>r.toString(16).padStart(2,"0")).join("");return b("div",{class:e.class,children:[b("label",{for:e.id,title:n.info.doc,children:e.label}),b("span",{class:"colour",children:[b("input",{id:e.id,type:"color","aria-label":e.full,"aria-describedby":e.describedBy,value:`#${i}`,onChange:r=>{const s=r.currentTarget.value.slice(1).match(/../g)??[],a=o=>Number(Xd(parseInt(o,16)/255).toFixed(4));e.set(s.map(a))}}),b("span",{children:t.map(r=>r.toFixed(3)).join(" ")})]}),e.faultText]})}function Hl(n){const e=Hi(n),{value:t,info:i}=n,r=Rt(t)?Un(t,["wavelengths_nm"]):void 0,s=nn(r)?`${String(r.length)} samples, ${rr(r[0])} to ${rr(r.at(-1))} nm`:typeof t=="string"?t:"as in the recipe";return b("div",{class:e.class,children:[b("span",{class:"label",title:i.doc,children:e.label}),b("span",{class:"plain",children:s}),i.kind==="spectrum"&&b("button",{type:"button",class:"small","aria-label":`One number in place of samples: ${e.full}`,onClick:()=>{e.set(qd(t))},children:"One number"}),e.faultText]})}function qd(n){const e=Rt(n)?n.values:void 0,t=nn(e)?e.filter(r=>typeof r=="number"):[];if(t.length===0)return .5;const i=t.reduce((r,s)=>r+s,0)/t.length;return Number(i.toPrecision(4))}const Yd=new Set(["name","volume_fraction","mass_fraction","density_g_per_cm3","binder_density_g_per_cm3"]),Zr=new Set(["coats"]),Kd="core",sr="name";function Zd(n,e){const t=Ho(n,e),i=e.keys.some(r=>r.choices==="pigments"&&r.key in n);return e.keys.filter(r=>!(r.key in n)&&!t.has(r.key)&&r.key!==sr&&r.choices!=="pigments"&&(!i||Yd.has(r.key)))}const Xo=Gi(({path:n})=>{const e=we(l=>l.schema),t=Ls(n),i=e===null?void 0:Sn(e,n),r=Ud(n);if(e===null||i===void 0||!Rt(t))return null;const s=[],a=[],o=({key:l})=>l===Kd;for(const l of[...i.keys.filter(c=>!o(c)),...i.keys.filter(o)]){const c=t[l.key],u=[...n,l.key];if(l.kind==="list")(nn(c)||n.length===0||$u(n,l.key))&&Sn(e,[...u,0])!==void 0&&(Ho(t,i).has(l.key)||a.push(b(tf,{path:u},l.key)));else{if(c===void 0||l.key===sr)continue;l.kind==="table"?Rt(c)&&Sn(e,u)!==void 0&&a.push(b(ef,{path:u,info:l},l.key)):s.push(b(Bd,{path:u,info:l,value:c},l.key))}}return b(Ht,{children:[b(Wo,{id:`fault-${ht(n)}`,text:r}),s,a]})});function $u(n,e){return n.length===2&&n[0]==="layer"||e==="coats"}const qu=Gi(({path:n})=>{const e=we(s=>s.schema),t=ct();we(({document:s})=>Jd(Un(s.recipe,n)));const i=Un(t.store.get().document.recipe,n),r=e===null?void 0:Sn(e,n);return e===null||r===void 0||!Rt(i)?null:b(Qd,{path:n,table:i,info:r,schema:e})});function Jd(n){return Rt(n)?Object.keys(n).join(" "):""}function Qd(n){const{path:e,table:t,info:i,schema:r}=n,s=ct(),a=S=>S.kind!=="table"||Sn(r,[...e,S.key])!==void 0,o=S=>S.kind==="list"&&(e.length===0||$u(e,S.key)),l=Zd(t,i).filter(S=>a(S)&&!o(S)),c=new Set((i.alternatives??[]).filter(S=>S.required).flatMap(S=>S.each.map(m=>m.mark))),u=i.keys.filter(S=>S.key in t&&!S.required&&!c.has(S.key)&&S.key!==sr&&S.kind!=="list"&&S.kind!=="table"&&S.choices!=="pigments"),p=Ho(t,i),d=i.keys.some(S=>S.choices==="pigments"&&S.key in t)?[]:(i.alternatives??[]).flatMap((S,m)=>S.each.flatMap(({mark:f},v)=>{const w=Go(t,S),y=S.each[w]?.mark??"";return v===w||f===""||y===""||p.has(y)?[]:[{g:m,i:v,text:`${Xt(f).label} in place of ${jd(y)}`}]}));if(l.length+u.length+d.length===0)return null;const _=S=>{const[m,f,v]=S.split(":");s.edit(w=>{if(m==="add"){const g=i.keys.find(E=>E.key===f);return g===void 0?w:Ln(w,[...e,g.key],Ds(r,e,g))}if(m==="remove")return Ln(w,[...e,f??""],void 0);const y=i.alternatives?.[Number(f)],A=Un(w.recipe,e);if(y===void 0||!Rt(A))return w;const R=Pd(r,e,A,y,Number(v));return Ln(w,e,R)})};return b("select",{class:"more","aria-label":`More of ${ht(e)||"the paint"}`,value:"",onChange:S=>{_(S.currentTarget.value),S.currentTarget.value=""},children:[b("option",{value:"",children:"More"}),l.length>0&&b("optgroup",{label:"Add",children:l.map(({key:S})=>b("option",{value:`add:${S}`,children:Xt(S).label},S))}),d.length>0&&b("optgroup",{label:"Say otherwise",children:d.map(({g:S,i:m,text:f})=>b("option",{value:`instead:${String(S)}:${String(m)}`,children:f},f))}),u.length>0&&b("optgroup",{label:"Leave out",children:u.map(({key:S})=>b("option",{value:`remove:${S}`,children:Xt(S).label},S))})]})}function jd(n){return Xt(n).label.toLowerCase()}function Yu(n){const[e,t]=tn(!0);return b("section",{class:`part ${n.kind}`,"aria-label":n.label,children:[b("header",{children:[b("button",{type:"button",class:"fold","aria-expanded":e,"aria-label":`${e?"Fold":"Unfold"} ${n.label}`,onClick:()=>{t(!e)},children:b(Gu,{name:e?"open":"closed"})}),b("h3",{children:n.title}),b("span",{class:"tools",children:[b(qu,{path:n.path}),n.tools]})]}),e&&n.children]})}function ef({path:n,info:e}){const t=ct(),{label:i}=Xt(e.key);return b(Yu,{path:n,kind:e.key,title:i,label:i,tools:!e.required&&b(ci,{icon:"remove",label:`Remove ${i}`,onClick:()=>{t.edit(r=>Ln(r,n,void 0))}}),children:b(Xo,{path:n})})}const tf=Gi(({path:n})=>{const e=Ls(n),t=nn(e)?e:[],i=String(n.at(-1)),r=[...t.keys()];Zr.has(i)&&r.reverse();const s=b(nf,{path:n,at:t.length});return b("div",{class:`list ${i}`,children:[Zr.has(i)&&s,r.map(a=>b(rf,{path:n,i:a,count:t.length},a)),!Zr.has(i)&&s]})}),Vl="own coefficients",nf=Gi(({path:n,at:e})=>{const t=ct(),i=we(o=>o.schema);if(i===null)return null;const r=String(n.at(-1)),s=Vo(r),a=(o=Rd(i,n))=>{t.edit(l=>Ou(l,n,e,o))};return r==="pigment"?b(Is,{class:"add",label:"Add a pigment",text:"+ Pigment",chosen:null,choices:[...i.pigments,{name:Vl,summary:"scattering and absorption",rgb:null}],onChoose:o=>{a(o===Vl?{scattering_per_mm:10,absorption_per_mm:10}:{from:o,volume_fraction:.05})}}):b("button",{type:"button",class:"add",onClick:()=>{a()},children:["+ ",s.charAt(0).toUpperCase()+s.slice(1)]})}),rf=Gi(({path:n,i:e,count:t})=>{const i=ct(),r=we(f=>f.schema),s=[...n,e],a=Ls(s),o=String(n.at(-1)),l=Vo(o),c=o==="layer"&&t===1?"":` ${String(e+1)}`,u=`${l.charAt(0).toUpperCase()}${l.slice(1)}${c}`;if(!Rt(a)||r===null)return null;const p=Sn(r,s)?.keys.some(({key:f})=>f===sr)===!0,h=typeof a.name=="string"?a.name:"",d=h===""?u:`${u}, ${h}`,_=p?b("input",{type:"text",class:"name",value:h,placeholder:typeof a.from=="string"?a.from:u,"aria-label":`Name of ${u.toLowerCase()}`,onChange:f=>{const v=f.currentTarget.value;i.edit(w=>Ln(w,[...s,sr],v===""?void 0:v))}}):u,S=Zr.has(o)?1:-1,m=(f,v)=>b(ci,{icon:v,label:`Move ${d} ${v}`,disabled:e+f<0||e+f>=t,onClick:()=>{i.edit(w=>Sd(w,n,e,f))}});return b(Yu,{path:s,kind:o,title:_,label:d,tools:b(Ht,{children:[t>1&&m(S,"up"),t>1&&m(S===1?-1:1,"down"),b(ci,{icon:"copy",label:`Duplicate ${d}`,onClick:()=>{i.edit(f=>Ou(f,n,e+1,a))}}),b(ci,{icon:"remove",label:`Remove ${d}`,onClick:()=>{i.edit(f=>xd(f,n,e))}})]}),children:b(Xo,{path:s})})});function sf(){const n=ct(),e=we(o=>o.document.recipe.name),t=we(o=>o.fault),i=we(o=>o.notOpened),r=we(o=>o.paint?.warnings),s=i===null?t?.message:`Not opened: ${i}`;return b("section",{class:"composition","aria-label":"Composition",children:[b("div",{class:"paint-name",children:[b("input",{type:"text",class:"name","aria-label":"Name of the paint",placeholder:"Without a name",value:typeof e=="string"?e:"",onChange:o=>{const l=o.currentTarget.value;n.edit(c=>Ln(c,["name"],l===""?void 0:l))}}),b(qu,{path:[]})]}),b("div",{class:"form",children:b(Xo,{path:[]})}),b("div",{class:"said-place",children:b("div",{class:s===void 0?"said":"said wrong",role:"status","aria-label":"What the server says of the recipe",children:(s===void 0?r??[]:[s]).map(o=>b("p",{children:o},o))})})]})}const fs=180/Math.PI;function Ku(n){const{position_mm:e,target_mm:t,fov_deg:i,aspect:r}=n.camera,[s,a,o]=[0,1,2].map(c=>e[c]-t[c]),l=Math.hypot(s,a,o);return{azimuth_deg:Math.atan2(a,s)*fs,elevation_deg:Math.asin(o/l)*fs,distance_mm:l,fov_deg:i,aspect:r}}function Zu({aspect:n,...e},t,i){const r=Math.max(1,n*i/t),s=Math.tan(e.fov_deg/2/fs);return{...e,fov_deg:2*fs*Math.atan(s*r)}}const Wl=(n,e,t)=>Math.min(Math.max(n,e),t);function af(n,e,t=1){return{...n,elevation_deg:Wl(n.elevation_deg+e,-85,85),distance_mm:Wl(n.distance_mm/t,1,1e5)}}function Xl(n){const e=(n%360+360)%360;return e>180?e-360:e}function ps(n){return n instanceof Error?n.message:String(n)}function Jr(n,e,t){const i=URL.createObjectURL(new Blob([e],{type:t})),r=document.createElement("a");r.href=i,r.download=n,r.click(),setTimeout(()=>{URL.revokeObjectURL(i)},1e4)}function Qr(n,e){const i=(typeof n=="string"?n.toLowerCase().replace(/[^\p{L}\p{N}]+/gu,"-"):"").replace(/^-+|-+$/g,"").slice(0,80);return`${i===""?"paint":i}.${e}`}function of(n){return new Promise((e,t)=>{const i=new FileReader;i.onload=()=>{const r=i.result;e(r.slice(r.indexOf(",")+1))},i.onerror=()=>{t(new Error("the browser could not read it"))},i.readAsDataURL(n)})}function lf(n){document.querySelector("iframe.print")?.remove();const e=document.createElement("iframe");e.className="print",e.title="Report",e.addEventListener("load",()=>{e.contentWindow?.focus(),e.contentWindow?.print()}),e.srcdoc=n,document.body.append(e)}function cf(n){return new Promise((e,t)=>{n.toBlob(i=>{i===null?t(new Error("the browser could not write a PNG")):e(i)},"image/png")})}function uf({uniforms:n}){return Object.fromEntries(n.map(({name:e,components:t,array:i,values:r})=>[e,t===1&&!i?r[0]:Float32Array.from(r)]))}function hf(n,e,t){const i=String(n.program);typeof n.glsl=="string"&&t.set(i,n.glsl);const r=t.get(i);if(r===void 0)throw new Error(`shader ${i}: its text did not come`);return{program:i,glsl:r,smoothCoat:n.smooth_coat===!0,flakes:r.includes("#define NACRE_FLAKES "),uniforms:n.uniforms,textures:e.map(({name:s,shape:a,data:o})=>({name:s,size:a.slice(0,-1).reverse(),data:new Uint16Array(o.buffer,o.byteOffset,o.byteLength/2)}))}}function Ju(n){const[e,t]=new Uint32Array(n,0,2),i=8;return{positions:new Float32Array(n,i,3*e),normals:new Float32Array(n,i+12*e,3*e),indices:new Uint32Array(n,i+32*e,3*t)}}function Qu(n){const[e]=new Uint32Array(n,0,1),t=new TextDecoder().decode(new Uint8Array(n,4,e)),i=JSON.parse(t),[r,s]=new Uint32Array(n,4+e,2),a=new Float32Array(n,12+e,3*r*s);return{...i,width:r,height:s,rgb:a}}const $l=6e6,df=80,$o=".obj,.ply,.stl,.glb,.gltf",qo=".hdr,.exr",ql=n=>new RegExp(`(${n.replace(/\./g,"\\.").replace(/,/g,"|")})$`,"i"),[ff,pf]=[ql($o),ql(qo)];function mf(n){return ff.test(n)?"shape":pf.test(n)?"light":null}class gf{constructor(e,t,i){this.store=e,this.viewer=t,this.ask=i}bringAgain(){const{ownShape:e,ownLight:t}=this.store.get();e!==null&&this.bring("shape",e.file,e.yUp),t!==null&&this.bring("light",t.file)}abandon(){for(const e of["shape","light"])this.viewer.hold(e,!1)}async bring(e,t,i=!1){const{ownShape:r,ownLight:s}=this.store.get(),a=e==="shape"?r:s;if(t.size>$l){const[o,l]=[t.size,$l].map(c=>(c/1e6).toFixed(1));this.say(`${t.name} has ${o??""} MB; at most ${l??""} MB can be shown.`);return}this.say(`Reading ${t.name} …`),this.viewer.hold(e,!0);try{const o=await of(t),l={file:t.name.slice(-df),base64:o};if(this.ask(e,e==="shape"?{...l,y_up:i}:l,(u,p)=>{this.viewer.hold(e,!1),u.type==="error"?this.say(String(u.message)):this.brought({file:t,yUp:i,name:""},a,u,p)}))return}catch(o){this.say(`${t.name}: ${ps(o)}`)}this.viewer.hold(e,!1)}brought(e,t,i,r){const{schema:s}=this.store.get(),a=r[0]?.data;if(s===null||a===void 0)return;const o=a.buffer,l=this.viewer.store.get().view,c=t?.file===e.file;if(i.type==="shape"){const u=i.shape,p=[...s.shapes.filter(({name:m})=>m!==t?.name),u],h={...s,shapes:p};this.store.set({schema:h,ownShape:{...e,name:u.name}}),this.viewer.add(h,{mesh:Ju(o)},u.name),(!c||l?.shape===t.name)&&this.viewer.setShape(h,u.name,!1);const[d,_]=[i.extent_mm,i.shown_mm].map(m=>Number(Number(m).toPrecision(3))),S=`${String(d)} mm${d===_?"":`, shown as ${String(_)} mm`}`;this.say(`${e.file.name}: ${String(i.triangles)} triangles, ${S}.`)}else{const u=i.light,p=[...s.lights.filter(({name:_})=>_!==t?.name),u],h={...s,lights:p};this.store.set({schema:h,ownLight:{...e,name:u.name}}),this.viewer.add(h,{light:Qu(o)},u.name),(!c||l?.light===t.name)&&this.viewer.setView({light:u.name});const d=`${String(i.width)} x ${String(i.height)} pixels`;this.say(`${e.file.name}: ${d}, a white panel that lies flat is white. ${String(i.note)}`)}}say(e){this.store.set({notice:e})}}const Yo="187",_f=0,Yl=1,vf=2,jr=1,xf=2,Qi=3,mi=0,Gt=1,_n=2,ui=0,ir=1,Kl=2,Zl=3,Jl=4,ju=5,Di=100,Sf=101,Mf=102,yf=103,Ef=104,bf=200,Da=201,wf=202,Tf=203,eh=204,th=205,Af=206,Rf=207,Cf=208,Pf=209,Lf=210,Df=211,If=212,Nf=213,Uf=214,Ia=0,Na=1,ms=2,ar=3,Ua=4,Fa=5,Oa=6,Ba=7,nh=0,Ff=1,Of=2,Dn=0,ih=1,rh=2,sh=3,ah=4,oh=5,lh=6,ch=7,uh=300,Fi=301,or=302,qs=303,Ys=304,gs=1e3,vn=1001,ka=1002,gt=1003,Bf=1004,Mr=1005,Ut=1006,Ks=1007,Zn=1008,en=1009,hh=1010,dh=1011,lr=1012,Ko=1013,yn=1014,zt=1015,qt=1016,Zo=1017,Jo=1018,Oi=1020,fh=35902,ph=35899,mh=1021,gh=1022,cn=1023,jn=1026,Jn=1027,Qo=1028,jo=1029,gi=1030,el=1031,tl=1033,es=33776,ts=33777,ns=33778,is=33779,za=35840,Ga=35841,Ha=35842,Va=35843,Wa=36196,Xa=37492,$a=37496,qa=37488,Ya=37489,_s=37490,Ka=37491,Za=37808,Ja=37809,Qa=37810,ja=37811,eo=37812,to=37813,no=37814,io=37815,ro=37816,so=37817,ao=37818,oo=37819,lo=37820,co=37821,uo=36492,ho=36494,fo=36495,po=36283,mo=36284,vs=36285,go=36286,kf=3200,Ql=0,zf=1,Yn="",jt="srgb",cr="srgb-linear",xs="linear",Je="srgb",Zs=7680,Gf=519,Hf=512,Vf=513,Wf=514,_h=515,Xf=516,$f=517,vh=518,xh=519,qf=35044,_o="300 es",un=2e3,Ss=2001;function Yf(n){for(let e=n.length-1;e>=0;--e)if(n[e]>=65535)return!0;return!1}function Ms(n){return document.createElementNS("http://www.w3.org/1999/xhtml",n)}function Kf(){const n=Ms("canvas");return n.style.display="block",n}const jl={};function ec(...n){const e="THREE."+n.shift();console.log(e,...n)}function Sh(n){const e=n[0];if(typeof e=="string"&&e.startsWith("TSL:")){const t=n[1];t&&t.isStackTrace?n[0]+=" "+t.getLocation():n[1]='Stack trace not available. Enable "THREE.Node.captureStackTrace" to capture stack traces.'}return n}function Pe(...n){n=Sh(n);const e="THREE."+n.shift();{const t=n[0];t&&t.isStackTrace?console.warn(t.getError(e)):console.warn(e,...n)}}function qe(...n){n=Sh(n);const e="THREE."+n.shift();{const t=n[0];t&&t.isStackTrace?console.error(t.getError(e)):console.error(e,...n)}}function rs(...n){const e=n.join(" ");e in jl||(jl[e]=!0,Pe(...n))}function Zf(n,e,t){return new Promise(function(i,r){function s(){switch(n.clientWaitSync(e,n.SYNC_FLUSH_COMMANDS_BIT,0)){case n.WAIT_FAILED:r();break;case n.TIMEOUT_EXPIRED:setTimeout(s,t);break;default:i()}}setTimeout(s,t)})}const Jf={[Ia]:Ia,[ms]:Oa,[Ua]:Ua,[ar]:Fa,[Na]:Na,[Oa]:ms,[Ba]:Ba,[Fa]:ar};class xi{addEventListener(e,t){this._listeners===void 0&&(this._listeners={});const i=this._listeners;i[e]===void 0&&(i[e]=[]),i[e].indexOf(t)===-1&&i[e].push(t)}hasEventListener(e,t){const i=this._listeners;return i===void 0?!1:i[e]!==void 0&&i[e].indexOf(t)!==-1}removeEventListener(e,t){const i=this._listeners;if(i===void 0)return;const r=i[e];if(r!==void 0){const s=r.indexOf(t);s!==-1&&r.splice(s,1)}}dispatchEvent(e){const t=this._listeners;if(t===void 0)return;const i=t[e.type];if(i!==void 0){e.target=this;const r=i.slice(0);for(let s=0,a=r.length;s<a;s++)r[s].call(this,e);e.target=null}}}const Lt=["00","01","02","03","04","05","06","07","08","09","0a","0b","0c","0d","0e","0f","10","11","12","13","14","15","16","17","18","19","1a","1b","1c","1d","1e","1f","20","21","22","23","24","25","26","27","28","29","2a","2b","2c","2d","2e","2f","30","31","32","33","34","35","36","37","38","39","3a","3b","3c","3d","3e","3f","40","41","42","43","44","45","46","47","48","49","4a","4b","4c","4d","4e","4f","50","51","52","53","54","55","56","57","58","59","5a","5b","5c","5d","5e","5f","60","61","62","63","64","65","66","67","68","69","6a","6b","6c","6d","6e","6f","70","71","72","73","74","75","76","77","78","79","7a","7b","7c","7d","7e","7f","80","81","82","83","84","85","86","87","88","89","8a","8b","8c","8d","8e","8f","90","91","92","93","94","95","96","97","98","99","9a","9b","9c","9d","9e","9f","a0","a1","a2","a3","a4","a5","a6","a7","a8","a9","aa","ab","ac","ad","ae","af","b0","b1","b2","b3","b4","b5","b6","b7","b8","b9","ba","bb","bc","bd","be","bf","c0","c1","c2","c3","c4","c5","c6","c7","c8","c9","ca","cb","cc","cd","ce","cf","d0","d1","d2","d3","d4","d5","d6","d7","d8","d9","da","db","dc","dd","de","df","e0","e1","e2","e3","e4","e5","e6","e7","e8","e9","ea","eb","ec","ed","ee","ef","f0","f1","f2","f3","f4","f5","f6","f7","f8","f9","fa","fb","fc","fd","fe","ff"],Js=Math.PI/180,vo=180/Math.PI;function dr(){const n=Math.random()*4294967295|0,e=Math.random()*4294967295|0,t=Math.random()*4294967295|0,i=Math.random()*4294967295|0;return(Lt[n&255]+Lt[n>>8&255]+Lt[n>>16&255]+Lt[n>>24&255]+"-"+Lt[e&255]+Lt[e>>8&255]+"-"+Lt[e>>16&15|64]+Lt[e>>24&255]+"-"+Lt[t&63|128]+Lt[t>>8&255]+"-"+Lt[t>>16&255]+Lt[t>>24&255]+Lt[i&255]+Lt[i>>8&255]+Lt[i>>16&255]+Lt[i>>24&255]).toLowerCase()}function He(n,e,t){return Math.max(e,Math.min(t,n))}function Qf(n,e){return(n%e+e)%e}function Qs(n,e,t){return(1-t)*n+t*e}function jf(n){return Math.pow(2,Math.floor(Math.log(n)/Math.LN2))}function nl(n){switch(n.constructor){case Uint32Array:return 4294967295;case Uint16Array:return 65535;case Uint8Array:case Uint8ClampedArray:return 255;case Int32Array:return 2147483647;case Int16Array:return 32767;case Int8Array:return 127;default:return}}function ep(n,e){if(e.constructor===Float32Array)return n;const t=nl(e);if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.max(n/t,-1)}function tp(n,e){if(e.constructor===Float32Array)return n;const t=nl(e);if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.round(n*t)}const hl=class hl{constructor(e=0,t=0){this.x=e,this.y=t}get width(){return this.x}set width(e){this.x=e}get height(){return this.y}set height(e){this.y=e}set(e,t){return this.x=e,this.y=t,this}setScalar(e){return this.x=e,this.y=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;default:throw new Error("THREE.Vector2: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;default:throw new Error("THREE.Vector2: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y)}copy(e){return this.x=e.x,this.y=e.y,this}add(e){return this.x+=e.x,this.y+=e.y,this}addScalar(e){return this.x+=e,this.y+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this}subScalar(e){return this.x-=e,this.y-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this}multiply(e){return this.x*=e.x,this.y*=e.y,this}multiplyScalar(e){return this.x*=e,this.y*=e,this}divide(e){return this.x/=e.x,this.y/=e.y,this}divideScalar(e){return this.multiplyScalar(1/e)}applyMatrix3(e){const t=this.x,i=this.y,r=e.elements;return this.x=r[0]*t+r[3]*i+r[6],this.y=r[1]*t+r[4]*i+r[7],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this}clamp(e,t){return this.x=He(this.x,e.x,t.x),this.y=He(this.y,e.y,t.y),this}clampScalar(e,t){return this.x=He(this.x,e,t),this.y=He(this.y,e,t),this}clampLength(e,t){const i=this.length();return this.divideScalar(i||1).multiplyScalar(He(i,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this}negate(){return this.x=-this.x,this.y=-this.y,this}dot(e){return this.x*e.x+this.y*e.y}cross(e){return this.x*e.y-this.y*e.x}lengthSq(){return this.x*this.x+this.y*this.y}length(){return Math.sqrt(this.x*this.x+this.y*this.y)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)}normalize(){return this.divideScalar(this.length()||1)}angle(){return Math.atan2(-this.y,-this.x)+Math.PI}angleTo(e){const t=Math.sqrt(this.lengthSq()*e.lengthSq());if(t===0)return Math.PI/2;const i=this.dot(e)/t;return Math.acos(He(i,-1,1))}distanceTo(e){return Math.sqrt(this.distanceToSquared(e))}distanceToSquared(e){const t=this.x-e.x,i=this.y-e.y;return t*t+i*i}manhattanDistanceTo(e){return Math.abs(this.x-e.x)+Math.abs(this.y-e.y)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this}lerpVectors(e,t,i){return this.x=e.x+(t.x-e.x)*i,this.y=e.y+(t.y-e.y)*i,this}equals(e){return e.x===this.x&&e.y===this.y}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this}rotateAround(e,t){const i=Math.cos(t),r=Math.sin(t),s=this.x-e.x,a=this.y-e.y;return this.x=s*i-a*r+e.x,this.y=s*r+a*i+e.y,this}random(){return this.x=Math.random(),this.y=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y}};hl.prototype.isVector2=!0;let Xe=hl;class Vi{constructor(e=0,t=0,i=0,r=1){this.isQuaternion=!0,this._x=e,this._y=t,this._z=i,this._w=r}static slerpFlat(e,t,i,r,s,a,o){let l=i[r+0],c=i[r+1],u=i[r+2],p=i[r+3],h=s[a+0],d=s[a+1],_=s[a+2],S=s[a+3];if(p!==S||l!==h||c!==d||u!==_){let m=l*h+c*d+u*_+p*S;m<0&&(h=-h,d=-d,_=-_,S=-S,m=-m);let f=1-o;if(m<.9995){const v=Math.acos(m),w=Math.sin(v);f=Math.sin(f*v)/w,o=Math.sin(o*v)/w,l=l*f+h*o,c=c*f+d*o,u=u*f+_*o,p=p*f+S*o}else{l=l*f+h*o,c=c*f+d*o,u=u*f+_*o,p=p*f+S*o;const v=1/Math.sqrt(l*l+c*c+u*u+p*p);l*=v,c*=v,u*=v,p*=v}}e[t]=l,e[t+1]=c,e[t+2]=u,e[t+3]=p}static multiplyQuaternionsFlat(e,t,i,r,s,a){const o=i[r],l=i[r+1],c=i[r+2],u=i[r+3],p=s[a],h=s[a+1],d=s[a+2],_=s[a+3];return e[t]=o*_+u*p+l*d-c*h,e[t+1]=l*_+u*h+c*p-o*d,e[t+2]=c*_+u*d+o*h-l*p,e[t+3]=u*_-o*p-l*h-c*d,e}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get w(){return this._w}set w(e){this._w=e,this._onChangeCallback()}set(e,t,i,r){return this._x=e,this._y=t,this._z=i,this._w=r,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._w)}copy(e){return this._x=e.x,this._y=e.y,this._z=e.z,this._w=e.w,this._onChangeCallback(),this}setFromEuler(e,t=!0){const i=e._x,r=e._y,s=e._z,a=e._order,o=Math.cos,l=Math.sin,c=o(i/2),u=o(r/2),p=o(s/2),h=l(i/2),d=l(r/2),_=l(s/2);switch(a){case"XYZ":this._x=h*u*p+c*d*_,this._y=c*d*p-h*u*_,this._z=c*u*_+h*d*p,this._w=c*u*p-h*d*_;break;case"YXZ":this._x=h*u*p+c*d*_,this._y=c*d*p-h*u*_,this._z=c*u*_-h*d*p,this._w=c*u*p+h*d*_;break;case"ZXY":this._x=h*u*p-c*d*_,this._y=c*d*p+h*u*_,this._z=c*u*_+h*d*p,this._w=c*u*p-h*d*_;break;case"ZYX":this._x=h*u*p-c*d*_,this._y=c*d*p+h*u*_,this._z=c*u*_-h*d*p,this._w=c*u*p+h*d*_;break;case"YZX":this._x=h*u*p+c*d*_,this._y=c*d*p+h*u*_,this._z=c*u*_-h*d*p,this._w=c*u*p-h*d*_;break;case"XZY":this._x=h*u*p-c*d*_,this._y=c*d*p-h*u*_,this._z=c*u*_+h*d*p,this._w=c*u*p+h*d*_;break;default:Pe("Quaternion: .setFromEuler() encountered an unknown order: "+a)}return t===!0&&this._onChangeCallback(),this}setFromAxisAngle(e,t){const i=t/2,r=Math.sin(i);return this._x=e.x*r,this._y=e.y*r,this._z=e.z*r,this._w=Math.cos(i),this._onChangeCallback(),this}setFromRotationMatrix(e){const t=e.elements,i=t[0],r=t[4],s=t[8],a=t[1],o=t[5],l=t[9],c=t[2],u=t[6],p=t[10],h=i+o+p;if(h>0){const d=.5/Math.sqrt(h+1);this._w=.25/d,this._x=(u-l)*d,this._y=(s-c)*d,this._z=(a-r)*d}else if(i>o&&i>p){const d=2*Math.sqrt(1+i-o-p);this._w=(u-l)/d,this._x=.25*d,this._y=(r+a)/d,this._z=(s+c)/d}else if(o>p){const d=2*Math.sqrt(1+o-i-p);this._w=(s-c)/d,this._x=(r+a)/d,this._y=.25*d,this._z=(l+u)/d}else{const d=2*Math.sqrt(1+p-i-o);this._w=(a-r)/d,this._x=(s+c)/d,this._y=(l+u)/d,this._z=.25*d}return this._onChangeCallback(),this}setFromUnitVectors(e,t){let i=e.dot(t)+1;return i<1e-8?(i=0,Math.abs(e.x)>Math.abs(e.z)?(this._x=-e.y,this._y=e.x,this._z=0,this._w=i):(this._x=0,this._y=-e.z,this._z=e.y,this._w=i)):(this._x=e.y*t.z-e.z*t.y,this._y=e.z*t.x-e.x*t.z,this._z=e.x*t.y-e.y*t.x,this._w=i),this.normalize()}angleTo(e){return 2*Math.acos(Math.abs(He(this.dot(e),-1,1)))}rotateTowards(e,t){const i=this.angleTo(e);if(i===0)return this;const r=Math.min(1,t/i);return this.slerp(e,r),this}identity(){return this.set(0,0,0,1)}invert(){return this.conjugate()}conjugate(){return this._x*=-1,this._y*=-1,this._z*=-1,this._onChangeCallback(),this}dot(e){return this._x*e._x+this._y*e._y+this._z*e._z+this._w*e._w}lengthSq(){return this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w}length(){return Math.sqrt(this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w)}normalize(){let e=this.length();return e===0?(this._x=0,this._y=0,this._z=0,this._w=1):(e=1/e,this._x=this._x*e,this._y=this._y*e,this._z=this._z*e,this._w=this._w*e),this._onChangeCallback(),this}multiply(e){return this.multiplyQuaternions(this,e)}premultiply(e){return this.multiplyQuaternions(e,this)}multiplyQuaternions(e,t){const i=e._x,r=e._y,s=e._z,a=e._w,o=t._x,l=t._y,c=t._z,u=t._w;return this._x=i*u+a*o+r*c-s*l,this._y=r*u+a*l+s*o-i*c,this._z=s*u+a*c+i*l-r*o,this._w=a*u-i*o-r*l-s*c,this._onChangeCallback(),this}slerp(e,t){let i=e._x,r=e._y,s=e._z,a=e._w,o=this.dot(e);o<0&&(i=-i,r=-r,s=-s,a=-a,o=-o);let l=1-t;if(o<.9995){const c=Math.acos(o),u=Math.sin(c);l=Math.sin(l*c)/u,t=Math.sin(t*c)/u,this._x=this._x*l+i*t,this._y=this._y*l+r*t,this._z=this._z*l+s*t,this._w=this._w*l+a*t,this._onChangeCallback()}else this._x=this._x*l+i*t,this._y=this._y*l+r*t,this._z=this._z*l+s*t,this._w=this._w*l+a*t,this.normalize();return this}slerpQuaternions(e,t,i){return this.copy(e).slerp(t,i)}random(){const e=2*Math.PI*Math.random(),t=2*Math.PI*Math.random(),i=Math.random(),r=Math.sqrt(1-i),s=Math.sqrt(i);return this.set(r*Math.sin(e),r*Math.cos(e),s*Math.sin(t),s*Math.cos(t))}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._w===this._w}fromArray(e,t=0){return this._x=e[t],this._y=e[t+1],this._z=e[t+2],this._w=e[t+3],this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this._y,e[t+2]=this._z,e[t+3]=this._w,e}fromBufferAttribute(e,t){return this._x=e.getX(t),this._y=e.getY(t),this._z=e.getZ(t),this._w=e.getW(t),this._onChangeCallback(),this}toJSON(){return this.toArray()}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._w}}const dl=class dl{constructor(e=0,t=0,i=0){this.x=e,this.y=t,this.z=i}set(e,t,i){return i===void 0&&(i=this.z),this.x=e,this.y=t,this.z=i,this}setScalar(e){return this.x=e,this.y=e,this.z=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setZ(e){return this.z=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;case 2:this.z=t;break;default:throw new Error("THREE.Vector3: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;case 2:return this.z;default:throw new Error("THREE.Vector3: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y,this.z)}copy(e){return this.x=e.x,this.y=e.y,this.z=e.z,this}add(e){return this.x+=e.x,this.y+=e.y,this.z+=e.z,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this}multiplyScalar(e){return this.x*=e,this.y*=e,this.z*=e,this}multiplyVectors(e,t){return this.x=e.x*t.x,this.y=e.y*t.y,this.z=e.z*t.z,this}applyEuler(e){return this.applyQuaternion(tc.setFromEuler(e))}applyAxisAngle(e,t){return this.applyQuaternion(tc.setFromAxisAngle(e,t))}applyMatrix3(e){const t=this.x,i=this.y,r=this.z,s=e.elements;return this.x=s[0]*t+s[3]*i+s[6]*r,this.y=s[1]*t+s[4]*i+s[7]*r,this.z=s[2]*t+s[5]*i+s[8]*r,this}applyNormalMatrix(e){return this.applyMatrix3(e).normalize()}applyMatrix4(e){const t=this.x,i=this.y,r=this.z,s=e.elements,a=1/(s[3]*t+s[7]*i+s[11]*r+s[15]);return this.x=(s[0]*t+s[4]*i+s[8]*r+s[12])*a,this.y=(s[1]*t+s[5]*i+s[9]*r+s[13])*a,this.z=(s[2]*t+s[6]*i+s[10]*r+s[14])*a,this}applyQuaternion(e){const t=this.x,i=this.y,r=this.z,s=e.x,a=e.y,o=e.z,l=e.w,c=2*(a*r-o*i),u=2*(o*t-s*r),p=2*(s*i-a*t);return this.x=t+l*c+a*p-o*u,this.y=i+l*u+o*c-s*p,this.z=r+l*p+s*u-a*c,this}project(e){return this.applyMatrix4(e.matrixWorldInverse).applyMatrix4(e.projectionMatrix)}unproject(e){return this.applyMatrix4(e.projectionMatrixInverse).applyMatrix4(e.matrixWorld)}transformDirection(e){const t=this.x,i=this.y,r=this.z,s=e.elements;return this.x=s[0]*t+s[4]*i+s[8]*r,this.y=s[1]*t+s[5]*i+s[9]*r,this.z=s[2]*t+s[6]*i+s[10]*r,this.normalize()}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this}divideScalar(e){return this.multiplyScalar(1/e)}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.min(this.z,e.z),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this}clamp(e,t){return this.x=He(this.x,e.x,t.x),this.y=He(this.y,e.y,t.y),this.z=He(this.z,e.z,t.z),this}clampScalar(e,t){return this.x=He(this.x,e,t),this.y=He(this.y,e,t),this.z=He(this.z,e,t),this}clampLength(e,t){const i=this.length();return this.divideScalar(i||1).multiplyScalar(He(i,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this}dot(e){return this.x*e.x+this.y*e.y+this.z*e.z}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)}normalize(){return this.divideScalar(this.length()||1)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this.z+=(e.z-this.z)*t,this}lerpVectors(e,t,i){return this.x=e.x+(t.x-e.x)*i,this.y=e.y+(t.y-e.y)*i,this.z=e.z+(t.z-e.z)*i,this}cross(e){return this.crossVectors(this,e)}crossVectors(e,t){const i=e.x,r=e.y,s=e.z,a=t.x,o=t.y,l=t.z;return this.x=r*l-s*o,this.y=s*a-i*l,this.z=i*o-r*a,this}projectOnVector(e){const t=e.lengthSq();if(t===0)return this.set(0,0,0);const i=e.dot(this)/t;return this.copy(e).multiplyScalar(i)}projectOnPlane(e){return js.copy(this).projectOnVector(e),this.sub(js)}reflect(e){return this.sub(js.copy(e).multiplyScalar(2*this.dot(e)))}angleTo(e){const t=Math.sqrt(this.lengthSq()*e.lengthSq());if(t===0)return Math.PI/2;const i=this.dot(e)/t;return Math.acos(He(i,-1,1))}distanceTo(e){return Math.sqrt(this.distanceToSquared(e))}distanceToSquared(e){const t=this.x-e.x,i=this.y-e.y,r=this.z-e.z;return t*t+i*i+r*r}manhattanDistanceTo(e){return Math.abs(this.x-e.x)+Math.abs(this.y-e.y)+Math.abs(this.z-e.z)}setFromSpherical(e){return this.setFromSphericalCoords(e.radius,e.phi,e.theta)}setFromSphericalCoords(e,t,i){const r=Math.sin(t)*e;return this.x=r*Math.sin(i),this.y=Math.cos(t)*e,this.z=r*Math.cos(i),this}setFromCylindrical(e){return this.setFromCylindricalCoords(e.radius,e.theta,e.y)}setFromCylindricalCoords(e,t,i){return this.x=e*Math.sin(t),this.y=i,this.z=e*Math.cos(t),this}setFromMatrixPosition(e){const t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this}setFromMatrixScale(e){const t=this.setFromMatrixColumn(e,0).length(),i=this.setFromMatrixColumn(e,1).length(),r=this.setFromMatrixColumn(e,2).length();return this.x=t,this.y=i,this.z=r,this}setFromMatrixColumn(e,t){return this.fromArray(e.elements,t*4)}setFromMatrix3Column(e,t){return this.fromArray(e.elements,t*3)}setFromEuler(e){return this.x=e._x,this.y=e._y,this.z=e._z,this}setFromColor(e){return this.x=e.r,this.y=e.g,this.z=e.b,this}equals(e){return e.x===this.x&&e.y===this.y&&e.z===this.z}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this.z=e[t+2],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this.z=e.getZ(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this}randomDirection(){const e=Math.random()*Math.PI*2,t=Math.random()*2-1,i=Math.sqrt(1-t*t);return this.x=i*Math.cos(e),this.y=t,this.z=i*Math.sin(e),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z}};dl.prototype.isVector3=!0;let V=dl;const js=new V,tc=new Vi,fl=class fl{constructor(e,t,i,r,s,a,o,l,c){this.elements=[1,0,0,0,1,0,0,0,1],e!==void 0&&this.set(e,t,i,r,s,a,o,l,c)}set(e,t,i,r,s,a,o,l,c){const u=this.elements;return u[0]=e,u[1]=r,u[2]=o,u[3]=t,u[4]=s,u[5]=l,u[6]=i,u[7]=a,u[8]=c,this}identity(){return this.set(1,0,0,0,1,0,0,0,1),this}copy(e){const t=this.elements,i=e.elements;return t[0]=i[0],t[1]=i[1],t[2]=i[2],t[3]=i[3],t[4]=i[4],t[5]=i[5],t[6]=i[6],t[7]=i[7],t[8]=i[8],this}extractBasis(e,t,i){return e.setFromMatrix3Column(this,0),t.setFromMatrix3Column(this,1),i.setFromMatrix3Column(this,2),this}setFromMatrix4(e){const t=e.elements;return this.set(t[0],t[4],t[8],t[1],t[5],t[9],t[2],t[6],t[10]),this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){const i=e.elements,r=t.elements,s=this.elements,a=i[0],o=i[3],l=i[6],c=i[1],u=i[4],p=i[7],h=i[2],d=i[5],_=i[8],S=r[0],m=r[3],f=r[6],v=r[1],w=r[4],y=r[7],A=r[2],R=r[5],g=r[8];return s[0]=a*S+o*v+l*A,s[3]=a*m+o*w+l*R,s[6]=a*f+o*y+l*g,s[1]=c*S+u*v+p*A,s[4]=c*m+u*w+p*R,s[7]=c*f+u*y+p*g,s[2]=h*S+d*v+_*A,s[5]=h*m+d*w+_*R,s[8]=h*f+d*y+_*g,this}multiplyScalar(e){const t=this.elements;return t[0]*=e,t[3]*=e,t[6]*=e,t[1]*=e,t[4]*=e,t[7]*=e,t[2]*=e,t[5]*=e,t[8]*=e,this}determinant(){const e=this.elements,t=e[0],i=e[1],r=e[2],s=e[3],a=e[4],o=e[5],l=e[6],c=e[7],u=e[8];return t*a*u-t*o*c-i*s*u+i*o*l+r*s*c-r*a*l}invert(){const e=this.elements,t=e[0],i=e[1],r=e[2],s=e[3],a=e[4],o=e[5],l=e[6],c=e[7],u=e[8],p=u*a-o*c,h=o*l-u*s,d=c*s-a*l,_=t*p+i*h+r*d;if(_===0)return this.set(0,0,0,0,0,0,0,0,0);const S=1/_;return e[0]=p*S,e[1]=(r*c-u*i)*S,e[2]=(o*i-r*a)*S,e[3]=h*S,e[4]=(u*t-r*l)*S,e[5]=(r*s-o*t)*S,e[6]=d*S,e[7]=(i*l-c*t)*S,e[8]=(a*t-i*s)*S,this}transpose(){let e;const t=this.elements;return e=t[1],t[1]=t[3],t[3]=e,e=t[2],t[2]=t[6],t[6]=e,e=t[5],t[5]=t[7],t[7]=e,this}getNormalMatrix(e){return this.setFromMatrix4(e).invert().transpose()}transposeIntoArray(e){const t=this.elements;return e[0]=t[0],e[1]=t[3],e[2]=t[6],e[3]=t[1],e[4]=t[4],e[5]=t[7],e[6]=t[2],e[7]=t[5],e[8]=t[8],this}setUvTransform(e,t,i,r,s,a,o){const l=Math.cos(s),c=Math.sin(s);return this.set(i*l,i*c,-i*(l*a+c*o)+a+e,-r*c,r*l,-r*(-c*a+l*o)+o+t,0,0,1),this}scale(e,t){return rs("Matrix3: .scale() is deprecated. Use .makeScale() instead."),this.premultiply(ea.makeScale(e,t)),this}rotate(e){return rs("Matrix3: .rotate() is deprecated. Use .makeRotation() instead."),this.premultiply(ea.makeRotation(-e)),this}translate(e,t){return rs("Matrix3: .translate() is deprecated. Use .makeTranslation() instead."),this.premultiply(ea.makeTranslation(e,t)),this}makeTranslation(e,t){return e.isVector2?this.set(1,0,e.x,0,1,e.y,0,0,1):this.set(1,0,e,0,1,t,0,0,1),this}makeRotation(e){const t=Math.cos(e),i=Math.sin(e);return this.set(t,-i,0,i,t,0,0,0,1),this}makeScale(e,t){return this.set(e,0,0,0,t,0,0,0,1),this}equals(e){const t=this.elements,i=e.elements;for(let r=0;r<9;r++)if(t[r]!==i[r])return!1;return!0}fromArray(e,t=0){for(let i=0;i<9;i++)this.elements[i]=e[i+t];return this}toArray(e=[],t=0){const i=this.elements;return e[t]=i[0],e[t+1]=i[1],e[t+2]=i[2],e[t+3]=i[3],e[t+4]=i[4],e[t+5]=i[5],e[t+6]=i[6],e[t+7]=i[7],e[t+8]=i[8],e}clone(){return new this.constructor().fromArray(this.elements)}};fl.prototype.isMatrix3=!0;let De=fl;const ea=new De,nc=new De().set(.4123908,.3575843,.1804808,.212639,.7151687,.0721923,.0193308,.1191948,.9505322),ic=new De().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function np(){const n={enabled:!0,workingColorSpace:cr,spaces:{},convert:function(r,s,a){return this.enabled===!1||s===a||!s||!a||(this.spaces[s].transfer===Je&&(r.r=In(r.r),r.g=In(r.g),r.b=In(r.b)),this.spaces[s].primaries!==this.spaces[a].primaries&&(r.applyMatrix3(this.spaces[s].toXYZ),r.applyMatrix3(this.spaces[a].fromXYZ)),this.spaces[a].transfer===Je&&(r.r=Ni(r.r),r.g=Ni(r.g),r.b=Ni(r.b))),r},workingToColorSpace:function(r,s){return this.convert(r,this.workingColorSpace,s)},colorSpaceToWorking:function(r,s){return this.convert(r,s,this.workingColorSpace)},getPrimaries:function(r){return this.spaces[r].primaries},getTransfer:function(r){return r===Yn?xs:this.spaces[r].transfer},getToneMappingMode:function(r){return this.spaces[r].outputColorSpaceConfig.toneMappingMode||"standard"},getLuminanceCoefficients:function(r,s=this.workingColorSpace){return r.fromArray(this.spaces[s].luminanceCoefficients)},define:function(r){Object.assign(this.spaces,r)},_getMatrix:function(r,s,a){return r.copy(this.spaces[a].fromXYZ).multiply(this.spaces[s].toXYZ)},_getDrawingBufferColorSpace:function(r){return this.spaces[r].outputColorSpaceConfig.drawingBufferColorSpace},_getUnpackColorSpace:function(r=this.workingColorSpace){return this.spaces[r].workingColorSpaceConfig.unpackColorSpace}},e=[.64,.33,.3,.6,.15,.06],t=[.2126,.7152,.0722],i=[.3127,.329];return n.define({[cr]:{primaries:e,whitePoint:i,transfer:xs,toXYZ:nc,fromXYZ:ic,luminanceCoefficients:t,workingColorSpaceConfig:{unpackColorSpace:jt},outputColorSpaceConfig:{drawingBufferColorSpace:jt}},[jt]:{primaries:e,whitePoint:i,transfer:Je,toXYZ:nc,fromXYZ:ic,luminanceCoefficients:t,outputColorSpaceConfig:{drawingBufferColorSpace:jt}}}),n}const Ve=np();function In(n){return n<.04045?n*.0773993808:Math.pow(n*.9478672986+.0521327014,2.4)}function Ni(n){return n<.0031308?n*12.92:1.055*Math.pow(n,.41666)-.055}let Si;class ip{static getDataURL(e,t="image/png"){if(/^data:/i.test(e.src)||typeof HTMLCanvasElement>"u")return e.src;let i;if(e instanceof HTMLCanvasElement)i=e;else{Si===void 0&&(Si=Ms("canvas")),Si.width=e.width,Si.height=e.height;const r=Si.getContext("2d");e instanceof ImageData?r.putImageData(e,0,0):r.drawImage(e,0,0,e.width,e.height),i=Si}return i.toDataURL(t)}static sRGBToLinear(e){if(typeof HTMLImageElement<"u"&&e instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&e instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&e instanceof ImageBitmap){const t=Ms("canvas");t.width=e.width,t.height=e.height;const i=t.getContext("2d");i.drawImage(e,0,0,e.width,e.height);const r=i.getImageData(0,0,e.width,e.height),s=r.data;for(let a=0;a<s.length;a++)s[a]=In(s[a]/255)*255;return i.putImageData(r,0,0),t}else if(e.data){const t=e.data.slice(0);for(let i=0;i<t.length;i++)t instanceof Uint8Array||t instanceof Uint8ClampedArray?t[i]=Math.floor(In(t[i]/255)*255):t[i]=In(t[i]);return{data:t,width:e.width,height:e.height}}else return Pe("ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),e}}let rp=0;class il{constructor(e=null){this.isTextureSource=!0,Object.defineProperty(this,"id",{value:rp++}),this.uuid=dr(),this.data=e,this.dataReady=!0,this.version=0}getSize(e){const t=this.data;return typeof HTMLVideoElement<"u"&&t instanceof HTMLVideoElement?e.set(t.videoWidth,t.videoHeight,0):typeof VideoFrame<"u"&&t instanceof VideoFrame?e.set(t.displayWidth,t.displayHeight,0):t!==null?e.set(t.width||0,t.height||0,t.depth||0):e.set(0,0,0),e}set needsUpdate(e){e===!0&&this.version++}toJSON(e){const t=e===void 0||typeof e=="string";if(!t&&e.images[this.uuid]!==void 0)return e.images[this.uuid];const i={uuid:this.uuid,url:""},r=this.data;if(r!==null){let s;if(Array.isArray(r)){s=[];for(let a=0,o=r.length;a<o;a++)r[a].isDataTexture?s.push(ta(r[a].image)):s.push(ta(r[a]))}else s=ta(r);i.url=s}return t||(e.images[this.uuid]=i),i}}function ta(n){return typeof HTMLImageElement<"u"&&n instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&n instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&n instanceof ImageBitmap?ip.getDataURL(n):n.data?{data:Array.from(n.data),width:n.width,height:n.height,type:n.data.constructor.name}:(Pe("Texture: Unable to serialize Texture."),{})}let sp=0;const na=new V;class Ft extends xi{constructor(e=Ft.DEFAULT_IMAGE,t=Ft.DEFAULT_MAPPING,i=vn,r=vn,s=Ut,a=Zn,o=cn,l=en,c=Ft.DEFAULT_ANISOTROPY,u=Yn){super(),this.isTexture=!0,Object.defineProperty(this,"id",{value:sp++}),this.uuid=dr(),this.name="",this.source=new il(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.wrapS=i,this.wrapT=r,this.magFilter=s,this.minFilter=a,this.anisotropy=c,this.format=o,this.internalFormat=null,this.type=l,this.offset=new Xe(0,0),this.repeat=new Xe(1,1),this.center=new Xe(0,0),this.rotation=0,this.matrixAutoUpdate=!0,this.matrix=new De,this.generateMipmaps=!0,this.mipmapsAutoUpdate=!0,this.premultiplyAlpha=!1,this.flipY=!0,this.unpackAlignment=4,this.colorSpace=u,this.userData={},this.updateRanges=[],this.version=0,this.onUpdate=null,this.renderTarget=null,this.isRenderTargetTexture=!1,this.isArrayTexture=!!(e&&e.depth&&e.depth>1),this.pmremVersion=0,this.isPMREMTexture=!1,this.normalized=!1}get width(){return this.source.getSize(na).x}get height(){return this.source.getSize(na).y}get depth(){return this.source.getSize(na).z}get image(){return this.source.data}set image(e){this.source.data=e}updateMatrix(){this.matrix.setUvTransform(this.offset.x,this.offset.y,this.repeat.x,this.repeat.y,this.rotation,this.center.x,this.center.y)}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}clone(){return new this.constructor().copy(this)}copy(e){return this.name=e.name,this.source=e.source,this.mipmaps=e.mipmaps.slice(0),this.mapping=e.mapping,this.channel=e.channel,this.wrapS=e.wrapS,this.wrapT=e.wrapT,this.magFilter=e.magFilter,this.minFilter=e.minFilter,this.anisotropy=e.anisotropy,this.format=e.format,this.internalFormat=e.internalFormat,this.type=e.type,this.normalized=e.normalized,this.offset.copy(e.offset),this.repeat.copy(e.repeat),this.center.copy(e.center),this.rotation=e.rotation,this.matrixAutoUpdate=e.matrixAutoUpdate,this.matrix.copy(e.matrix),this.generateMipmaps=e.generateMipmaps,this.mipmapsAutoUpdate=e.mipmapsAutoUpdate,this.premultiplyAlpha=e.premultiplyAlpha,this.flipY=e.flipY,this.unpackAlignment=e.unpackAlignment,this.colorSpace=e.colorSpace,this.renderTarget=e.renderTarget,this.isRenderTargetTexture=e.isRenderTargetTexture,this.isPMREMTexture=e.isPMREMTexture,this.isArrayTexture=e.isArrayTexture,this.userData=JSON.parse(JSON.stringify(e.userData)),this.needsUpdate=!0,this}setValues(e){for(const t in e){const i=e[t];if(i===void 0){Pe(`Texture.setValues(): parameter '${t}' has value of undefined.`);continue}const r=this[t];if(r===void 0){Pe(`Texture.setValues(): property '${t}' does not exist.`);continue}r&&i&&r.isVector2&&i.isVector2||r&&i&&r.isVector3&&i.isVector3||r&&i&&r.isMatrix3&&i.isMatrix3?r.copy(i):this[t]=i}}toJSON(e){const t=e===void 0||typeof e=="string";if(!t&&e.textures[this.uuid]!==void 0)return e.textures[this.uuid];const i={metadata:{version:4.7,type:"Texture",generator:"Texture.toJSON"},uuid:this.uuid,name:this.name,image:this.source.toJSON(e).uuid,mapping:this.mapping,channel:this.channel,repeat:[this.repeat.x,this.repeat.y],offset:[this.offset.x,this.offset.y],center:[this.center.x,this.center.y],rotation:this.rotation,wrap:[this.wrapS,this.wrapT],format:this.format,internalFormat:this.internalFormat,type:this.type,normalized:this.normalized,colorSpace:this.colorSpace,minFilter:this.minFilter,magFilter:this.magFilter,anisotropy:this.anisotropy,flipY:this.flipY,generateMipmaps:this.generateMipmaps,mipmapsAutoUpdate:this.mipmapsAutoUpdate,premultiplyAlpha:this.premultiplyAlpha,unpackAlignment:this.unpackAlignment};return Object.keys(this.userData).length>0&&(i.userData=this.userData),t||(e.textures[this.uuid]=i),i}dispose(){this.dispatchEvent({type:"dispose"})}transformUv(e){if(this.mapping!==uh)return e;if(e.applyMatrix3(this.matrix),e.x<0||e.x>1)switch(this.wrapS){case gs:e.x=e.x-Math.floor(e.x);break;case vn:e.x=e.x<0?0:1;break;case ka:Math.abs(Math.floor(e.x)%2)===1?e.x=Math.ceil(e.x)-e.x:e.x=e.x-Math.floor(e.x);break}if(e.y<0||e.y>1)switch(this.wrapT){case gs:e.y=e.y-Math.floor(e.y);break;case vn:e.y=e.y<0?0:1;break;case ka:Math.abs(Math.floor(e.y)%2)===1?e.y=Math.ceil(e.y)-e.y:e.y=e.y-Math.floor(e.y);break}return this.flipY&&(e.y=1-e.y),e}set needsUpdate(e){e===!0&&(this.version++,this.source.needsUpdate=!0)}set needsPMREMUpdate(e){e===!0&&this.pmremVersion++}}Ft.DEFAULT_IMAGE=null;Ft.DEFAULT_MAPPING=uh;Ft.DEFAULT_ANISOTROPY=1;const pl=class pl{constructor(e=0,t=0,i=0,r=1){this.x=e,this.y=t,this.z=i,this.w=r}get width(){return this.z}set width(e){this.z=e}get height(){return this.w}set height(e){this.w=e}set(e,t,i,r){return this.x=e,this.y=t,this.z=i,this.w=r,this}setScalar(e){return this.x=e,this.y=e,this.z=e,this.w=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setZ(e){return this.z=e,this}setW(e){return this.w=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;case 2:this.z=t;break;case 3:this.w=t;break;default:throw new Error("THREE.Vector4: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;case 2:return this.z;case 3:return this.w;default:throw new Error("THREE.Vector4: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y,this.z,this.w)}copy(e){return this.x=e.x,this.y=e.y,this.z=e.z,this.w=e.w!==void 0?e.w:1,this}add(e){return this.x+=e.x,this.y+=e.y,this.z+=e.z,this.w+=e.w,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this.w+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this.w=e.w+t.w,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this.w+=e.w*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this.w-=e.w,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this.w-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this.w=e.w-t.w,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this.w*=e.w,this}multiplyScalar(e){return this.x*=e,this.y*=e,this.z*=e,this.w*=e,this}applyMatrix4(e){const t=this.x,i=this.y,r=this.z,s=this.w,a=e.elements;return this.x=a[0]*t+a[4]*i+a[8]*r+a[12]*s,this.y=a[1]*t+a[5]*i+a[9]*r+a[13]*s,this.z=a[2]*t+a[6]*i+a[10]*r+a[14]*s,this.w=a[3]*t+a[7]*i+a[11]*r+a[15]*s,this}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this.w/=e.w,this}divideScalar(e){return this.multiplyScalar(1/e)}setAxisAngleFromQuaternion(e){this.w=2*Math.acos(e.w);const t=Math.sqrt(1-e.w*e.w);return t<1e-4?(this.x=1,this.y=0,this.z=0):(this.x=e.x/t,this.y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,i,r,s;const l=e.elements,c=l[0],u=l[4],p=l[8],h=l[1],d=l[5],_=l[9],S=l[2],m=l[6],f=l[10];if(Math.abs(u-h)<.01&&Math.abs(p-S)<.01&&Math.abs(_-m)<.01){if(Math.abs(u+h)<.1&&Math.abs(p+S)<.1&&Math.abs(_+m)<.1&&Math.abs(c+d+f-3)<.1)return this.set(1,0,0,0),this;t=Math.PI;const w=(c+1)/2,y=(d+1)/2,A=(f+1)/2,R=(u+h)/4,g=(p+S)/4,E=(_+m)/4;return w>y&&w>A?w<.01?(i=0,r=.707106781,s=.707106781):(i=Math.sqrt(w),r=R/i,s=g/i):y>A?y<.01?(i=.707106781,r=0,s=.707106781):(r=Math.sqrt(y),i=R/r,s=E/r):A<.01?(i=.707106781,r=.707106781,s=0):(s=Math.sqrt(A),i=g/s,r=E/s),this.set(i,r,s,t),this}let v=Math.sqrt((m-_)*(m-_)+(p-S)*(p-S)+(h-u)*(h-u));return Math.abs(v)<.001&&(v=1),this.x=(m-_)/v,this.y=(p-S)/v,this.z=(h-u)/v,this.w=Math.acos((c+d+f-1)/2),this}setFromMatrixPosition(e){const t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this.w=t[15],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.min(this.z,e.z),this.w=Math.min(this.w,e.w),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this.w=Math.max(this.w,e.w),this}clamp(e,t){return this.x=He(this.x,e.x,t.x),this.y=He(this.y,e.y,t.y),this.z=He(this.z,e.z,t.z),this.w=He(this.w,e.w,t.w),this}clampScalar(e,t){return this.x=He(this.x,e,t),this.y=He(this.y,e,t),this.z=He(this.z,e,t),this.w=He(this.w,e,t),this}clampLength(e,t){const i=this.length();return this.divideScalar(i||1).multiplyScalar(He(i,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this.w=Math.floor(this.w),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this.w=Math.ceil(this.w),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this.w=Math.round(this.w),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this.w=Math.trunc(this.w),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this.w=-this.w,this}dot(e){return this.x*e.x+this.y*e.y+this.z*e.z+this.w*e.w}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)+Math.abs(this.w)}normalize(){return this.divideScalar(this.length()||1)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this.z+=(e.z-this.z)*t,this.w+=(e.w-this.w)*t,this}lerpVectors(e,t,i){return this.x=e.x+(t.x-e.x)*i,this.y=e.y+(t.y-e.y)*i,this.z=e.z+(t.z-e.z)*i,this.w=e.w+(t.w-e.w)*i,this}equals(e){return e.x===this.x&&e.y===this.y&&e.z===this.z&&e.w===this.w}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this.z=e[t+2],this.w=e[t+3],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e[t+3]=this.w,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this.z=e.getZ(t),this.w=e.getW(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this.w=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z,yield this.w}};pl.prototype.isVector4=!0;let lt=pl;class ap extends xi{constructor(e=1,t=1,i={}){super(),i=Object.assign({generateMipmaps:!1,internalFormat:null,minFilter:Ut,depthBuffer:!0,stencilBuffer:!1,resolveColorBuffer:!0,resolveDepthBuffer:!0,resolveStencilBuffer:!0,storeMultisampledColorBuffer:!0,storeMultisampledDepthBuffer:!0,storeMultisampledStencilBuffer:!0,depthTexture:null,samples:0,count:1,depth:1,multiview:!1,useArrayDepthTexture:!1},i),this.isRenderTarget=!0,this.width=e,this.height=t,this.depth=i.depth,this.scissor=new lt(0,0,e,t),this.scissorTest=!1,this.viewport=new lt(0,0,e,t),this.textures=[];const r=i.count;for(let s=0;s<r;s++)this.textures[s]=new Ft({width:e,height:t,depth:i.depth}),this.textures[s].isRenderTargetTexture=!0,this.textures[s].renderTarget=this;this._setTextureOptions(i),this.depthBuffer=i.depthBuffer,this.stencilBuffer=i.stencilBuffer,this.resolveColorBuffer=i.resolveColorBuffer,this.resolveDepthBuffer=i.resolveDepthBuffer,this.resolveStencilBuffer=i.resolveStencilBuffer,this.storeMultisampledColorBuffer=i.storeMultisampledColorBuffer,this.storeMultisampledDepthBuffer=i.storeMultisampledDepthBuffer,this.storeMultisampledStencilBuffer=i.storeMultisampledStencilBuffer,this._depthTexture=null,this.depthTexture=i.depthTexture,this.samples=i.samples,this.multiview=i.multiview,this.useArrayDepthTexture=i.useArrayDepthTexture}_setTextureOptions(e={}){const t={minFilter:Ut,generateMipmaps:!1,flipY:!1,internalFormat:null};e.mapping!==void 0&&(t.mapping=e.mapping),e.wrapS!==void 0&&(t.wrapS=e.wrapS),e.wrapT!==void 0&&(t.wrapT=e.wrapT),e.wrapR!==void 0&&(t.wrapR=e.wrapR),e.magFilter!==void 0&&(t.magFilter=e.magFilter),e.minFilter!==void 0&&(t.minFilter=e.minFilter),e.format!==void 0&&(t.format=e.format),e.type!==void 0&&(t.type=e.type),e.anisotropy!==void 0&&(t.anisotropy=e.anisotropy),e.colorSpace!==void 0&&(t.colorSpace=e.colorSpace),e.flipY!==void 0&&(t.flipY=e.flipY),e.generateMipmaps!==void 0&&(t.generateMipmaps=e.generateMipmaps),e.mipmapsAutoUpdate!==void 0&&(t.mipmapsAutoUpdate=e.mipmapsAutoUpdate),e.internalFormat!==void 0&&(t.internalFormat=e.internalFormat);for(let i=0;i<this.textures.length;i++)this.textures[i].setValues(t)}get texture(){return this.textures[0]}set texture(e){this.textures[0]=e}set depthTexture(e){this._depthTexture!==null&&this._depthTexture.renderTarget===this&&(this._depthTexture.renderTarget=null),e!==null&&e.renderTarget===null&&(e.renderTarget=this),this._depthTexture=e}get depthTexture(){return this._depthTexture}setSize(e,t,i=1){if(this.width!==e||this.height!==t||this.depth!==i){this.width=e,this.height=t,this.depth=i;for(let r=0,s=this.textures.length;r<s;r++)this.textures[r].image.width=e,this.textures[r].image.height=t,this.textures[r].image.depth=i,this.textures[r].isData3DTexture!==!0&&(this.textures[r].isArrayTexture=this.textures[r].image.depth>1);this.dispose()}this.viewport.set(0,0,e,t),this.scissor.set(0,0,e,t)}clone(){return new this.constructor().copy(this)}copy(e){this.width=e.width,this.height=e.height,this.depth=e.depth,this.scissor.copy(e.scissor),this.scissorTest=e.scissorTest,this.viewport.copy(e.viewport),this.textures.length=0;for(let t=0,i=e.textures.length;t<i;t++){this.textures[t]=e.textures[t].clone(),this.textures[t].isRenderTargetTexture=!0,this.textures[t].renderTarget=this;const r=Object.assign({},e.textures[t].image);this.textures[t].source=new il(r)}if(this.depthBuffer=e.depthBuffer,this.stencilBuffer=e.stencilBuffer,this.resolveColorBuffer=e.resolveColorBuffer,this.resolveDepthBuffer=e.resolveDepthBuffer,this.resolveStencilBuffer=e.resolveStencilBuffer,this.storeMultisampledColorBuffer=e.storeMultisampledColorBuffer,this.storeMultisampledDepthBuffer=e.storeMultisampledDepthBuffer,this.storeMultisampledStencilBuffer=e.storeMultisampledStencilBuffer,e.depthTexture!==null)if(e.depthTexture.renderTarget===e){const t=e.depthTexture.clone();t.renderTarget=null,this.depthTexture=t}else this.depthTexture=e.depthTexture;else this.depthTexture=null;return this.samples=e.samples,this.multiview=e.multiview,this.useArrayDepthTexture=e.useArrayDepthTexture,this}dispose(){this.dispatchEvent({type:"dispose"})}}class hn extends ap{constructor(e=1,t=1,i={}){super(e,t,i),this.isWebGLRenderTarget=!0}}class Mh extends Ft{constructor(e=null,t=1,i=1,r=1){super(null),this.isDataArrayTexture=!0,this.image={data:e,width:t,height:i,depth:r},this.magFilter=gt,this.minFilter=gt,this.wrapR=vn,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1,this.layerUpdates=new Set}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}addLayerUpdate(e){this.layerUpdates.add(e)}clearLayerUpdates(){this.layerUpdates.clear()}}class xo extends Ft{constructor(e=null,t=1,i=1,r=1){super(null),this.isData3DTexture=!0,this.image={data:e,width:t,height:i,depth:r},this.magFilter=gt,this.minFilter=gt,this.wrapR=vn,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}}const As=class As{constructor(e,t,i,r,s,a,o,l,c,u,p,h,d,_,S,m){this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],e!==void 0&&this.set(e,t,i,r,s,a,o,l,c,u,p,h,d,_,S,m)}set(e,t,i,r,s,a,o,l,c,u,p,h,d,_,S,m){const f=this.elements;return f[0]=e,f[4]=t,f[8]=i,f[12]=r,f[1]=s,f[5]=a,f[9]=o,f[13]=l,f[2]=c,f[6]=u,f[10]=p,f[14]=h,f[3]=d,f[7]=_,f[11]=S,f[15]=m,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new As().fromArray(this.elements)}copy(e){const t=this.elements,i=e.elements;return t[0]=i[0],t[1]=i[1],t[2]=i[2],t[3]=i[3],t[4]=i[4],t[5]=i[5],t[6]=i[6],t[7]=i[7],t[8]=i[8],t[9]=i[9],t[10]=i[10],t[11]=i[11],t[12]=i[12],t[13]=i[13],t[14]=i[14],t[15]=i[15],this}copyPosition(e){const t=this.elements,i=e.elements;return t[12]=i[12],t[13]=i[13],t[14]=i[14],this}setFromMatrix3(e){const t=e.elements;return this.set(t[0],t[3],t[6],0,t[1],t[4],t[7],0,t[2],t[5],t[8],0,0,0,0,1),this}extractBasis(e,t,i){return this.determinantAffine()===0?(e.set(1,0,0),t.set(0,1,0),i.set(0,0,1),this):(e.setFromMatrixColumn(this,0),t.setFromMatrixColumn(this,1),i.setFromMatrixColumn(this,2),this)}makeBasis(e,t,i){return this.set(e.x,t.x,i.x,0,e.y,t.y,i.y,0,e.z,t.z,i.z,0,0,0,0,1),this}extractRotation(e){if(e.determinantAffine()===0)return this.identity();const t=this.elements,i=e.elements,r=1/Mi.setFromMatrixColumn(e,0).length(),s=1/Mi.setFromMatrixColumn(e,1).length(),a=1/Mi.setFromMatrixColumn(e,2).length();return t[0]=i[0]*r,t[1]=i[1]*r,t[2]=i[2]*r,t[3]=0,t[4]=i[4]*s,t[5]=i[5]*s,t[6]=i[6]*s,t[7]=0,t[8]=i[8]*a,t[9]=i[9]*a,t[10]=i[10]*a,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromEuler(e){const t=this.elements,i=e.x,r=e.y,s=e.z,a=Math.cos(i),o=Math.sin(i),l=Math.cos(r),c=Math.sin(r),u=Math.cos(s),p=Math.sin(s);if(e.order==="XYZ"){const h=a*u,d=a*p,_=o*u,S=o*p;t[0]=l*u,t[4]=-l*p,t[8]=c,t[1]=d+_*c,t[5]=h-S*c,t[9]=-o*l,t[2]=S-h*c,t[6]=_+d*c,t[10]=a*l}else if(e.order==="YXZ"){const h=l*u,d=l*p,_=c*u,S=c*p;t[0]=h+S*o,t[4]=_*o-d,t[8]=a*c,t[1]=a*p,t[5]=a*u,t[9]=-o,t[2]=d*o-_,t[6]=S+h*o,t[10]=a*l}else if(e.order==="ZXY"){const h=l*u,d=l*p,_=c*u,S=c*p;t[0]=h-S*o,t[4]=-a*p,t[8]=_+d*o,t[1]=d+_*o,t[5]=a*u,t[9]=S-h*o,t[2]=-a*c,t[6]=o,t[10]=a*l}else if(e.order==="ZYX"){const h=a*u,d=a*p,_=o*u,S=o*p;t[0]=l*u,t[4]=_*c-d,t[8]=h*c+S,t[1]=l*p,t[5]=S*c+h,t[9]=d*c-_,t[2]=-c,t[6]=o*l,t[10]=a*l}else if(e.order==="YZX"){const h=a*l,d=a*c,_=o*l,S=o*c;t[0]=l*u,t[4]=S-h*p,t[8]=_*p+d,t[1]=p,t[5]=a*u,t[9]=-o*u,t[2]=-c*u,t[6]=d*p+_,t[10]=h-S*p}else if(e.order==="XZY"){const h=a*l,d=a*c,_=o*l,S=o*c;t[0]=l*u,t[4]=-p,t[8]=c*u,t[1]=h*p+S,t[5]=a*u,t[9]=d*p-_,t[2]=_*p-d,t[6]=o*u,t[10]=S*p+h}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(op,e,lp)}lookAt(e,t,i){const r=this.elements;return Vt.subVectors(e,t),Vt.lengthSq()===0&&(Vt.z=1),Vt.normalize(),zn.crossVectors(i,Vt),zn.lengthSq()===0&&(Math.abs(i.z)===1?Vt.x+=1e-4:Vt.z+=1e-4,Vt.normalize(),zn.crossVectors(i,Vt)),zn.normalize(),yr.crossVectors(Vt,zn),r[0]=zn.x,r[4]=yr.x,r[8]=Vt.x,r[1]=zn.y,r[5]=yr.y,r[9]=Vt.y,r[2]=zn.z,r[6]=yr.z,r[10]=Vt.z,this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){const i=e.elements,r=t.elements,s=this.elements,a=i[0],o=i[4],l=i[8],c=i[12],u=i[1],p=i[5],h=i[9],d=i[13],_=i[2],S=i[6],m=i[10],f=i[14],v=i[3],w=i[7],y=i[11],A=i[15],R=r[0],g=r[4],E=r[8],U=r[12],P=r[1],D=r[5],G=r[9],W=r[13],I=r[2],F=r[6],K=r[10],k=r[14],te=r[3],X=r[7],j=r[11],ee=r[15];return s[0]=a*R+o*P+l*I+c*te,s[4]=a*g+o*D+l*F+c*X,s[8]=a*E+o*G+l*K+c*j,s[12]=a*U+o*W+l*k+c*ee,s[1]=u*R+p*P+h*I+d*te,s[5]=u*g+p*D+h*F+d*X,s[9]=u*E+p*G+h*K+d*j,s[13]=u*U+p*W+h*k+d*ee,s[2]=_*R+S*P+m*I+f*te,s[6]=_*g+S*D+m*F+f*X,s[10]=_*E+S*G+m*K+f*j,s[14]=_*U+S*W+m*k+f*ee,s[3]=v*R+w*P+y*I+A*te,s[7]=v*g+w*D+y*F+A*X,s[11]=v*E+w*G+y*K+A*j,s[15]=v*U+w*W+y*k+A*ee,this}multiplyScalar(e){const t=this.elements;return t[0]*=e,t[4]*=e,t[8]*=e,t[12]*=e,t[1]*=e,t[5]*=e,t[9]*=e,t[13]*=e,t[2]*=e,t[6]*=e,t[10]*=e,t[14]*=e,t[3]*=e,t[7]*=e,t[11]*=e,t[15]*=e,this}determinant(){const e=this.elements,t=e[0],i=e[4],r=e[8],s=e[12],a=e[1],o=e[5],l=e[9],c=e[13],u=e[2],p=e[6],h=e[10],d=e[14],_=e[3],S=e[7],m=e[11],f=e[15],v=l*d-c*h,w=o*d-c*p,y=o*h-l*p,A=a*d-c*u,R=a*h-l*u,g=a*p-o*u;return t*(S*v-m*w+f*y)-i*(_*v-m*A+f*R)+r*(_*w-S*A+f*g)-s*(_*y-S*R+m*g)}determinantAffine(){const e=this.elements,t=e[0],i=e[4],r=e[8],s=e[1],a=e[5],o=e[9],l=e[2],c=e[6],u=e[10];return t*(a*u-o*c)-i*(s*u-o*l)+r*(s*c-a*l)}transpose(){const e=this.elements;let t;return t=e[1],e[1]=e[4],e[4]=t,t=e[2],e[2]=e[8],e[8]=t,t=e[6],e[6]=e[9],e[9]=t,t=e[3],e[3]=e[12],e[12]=t,t=e[7],e[7]=e[13],e[13]=t,t=e[11],e[11]=e[14],e[14]=t,this}setPosition(e,t,i){const r=this.elements;return e.isVector3?(r[12]=e.x,r[13]=e.y,r[14]=e.z):(r[12]=e,r[13]=t,r[14]=i),this}invert(){const e=this.elements,t=e[0],i=e[1],r=e[2],s=e[3],a=e[4],o=e[5],l=e[6],c=e[7],u=e[8],p=e[9],h=e[10],d=e[11],_=e[12],S=e[13],m=e[14],f=e[15],v=t*o-i*a,w=t*l-r*a,y=t*c-s*a,A=i*l-r*o,R=i*c-s*o,g=r*c-s*l,E=u*S-p*_,U=u*m-h*_,P=u*f-d*_,D=p*m-h*S,G=p*f-d*S,W=h*f-d*m,I=v*W-w*G+y*D+A*P-R*U+g*E;if(I===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);const F=1/I;return e[0]=(o*W-l*G+c*D)*F,e[1]=(r*G-i*W-s*D)*F,e[2]=(S*g-m*R+f*A)*F,e[3]=(h*R-p*g-d*A)*F,e[4]=(l*P-a*W-c*U)*F,e[5]=(t*W-r*P+s*U)*F,e[6]=(m*y-_*g-f*w)*F,e[7]=(u*g-h*y+d*w)*F,e[8]=(a*G-o*P+c*E)*F,e[9]=(i*P-t*G-s*E)*F,e[10]=(_*R-S*y+f*v)*F,e[11]=(p*y-u*R-d*v)*F,e[12]=(o*U-a*D-l*E)*F,e[13]=(t*D-i*U+r*E)*F,e[14]=(S*w-_*A-m*v)*F,e[15]=(u*A-p*w+h*v)*F,this}scale(e){const t=this.elements,i=e.x,r=e.y,s=e.z;return t[0]*=i,t[4]*=r,t[8]*=s,t[1]*=i,t[5]*=r,t[9]*=s,t[2]*=i,t[6]*=r,t[10]*=s,t[3]*=i,t[7]*=r,t[11]*=s,this}getMaxScaleOnAxis(){const e=this.elements,t=e[0]*e[0]+e[1]*e[1]+e[2]*e[2],i=e[4]*e[4]+e[5]*e[5]+e[6]*e[6],r=e[8]*e[8]+e[9]*e[9]+e[10]*e[10];return Math.sqrt(Math.max(t,i,r))}makeTranslation(e,t,i){return e.isVector3?this.set(1,0,0,e.x,0,1,0,e.y,0,0,1,e.z,0,0,0,1):this.set(1,0,0,e,0,1,0,t,0,0,1,i,0,0,0,1),this}makeRotationX(e){const t=Math.cos(e),i=Math.sin(e);return this.set(1,0,0,0,0,t,-i,0,0,i,t,0,0,0,0,1),this}makeRotationY(e){const t=Math.cos(e),i=Math.sin(e);return this.set(t,0,i,0,0,1,0,0,-i,0,t,0,0,0,0,1),this}makeRotationZ(e){const t=Math.cos(e),i=Math.sin(e);return this.set(t,-i,0,0,i,t,0,0,0,0,1,0,0,0,0,1),this}makeRotationAxis(e,t){const i=Math.cos(t),r=Math.sin(t),s=1-i,a=e.x,o=e.y,l=e.z,c=s*a,u=s*o;return this.set(c*a+i,c*o-r*l,c*l+r*o,0,c*o+r*l,u*o+i,u*l-r*a,0,c*l-r*o,u*l+r*a,s*l*l+i,0,0,0,0,1),this}makeScale(e,t,i){return this.set(e,0,0,0,0,t,0,0,0,0,i,0,0,0,0,1),this}makeShear(e,t,i,r,s,a){return this.set(1,i,s,0,e,1,a,0,t,r,1,0,0,0,0,1),this}compose(e,t,i){const r=this.elements,s=t._x,a=t._y,o=t._z,l=t._w,c=s+s,u=a+a,p=o+o,h=s*c,d=s*u,_=s*p,S=a*u,m=a*p,f=o*p,v=l*c,w=l*u,y=l*p,A=i.x,R=i.y,g=i.z;return r[0]=(1-(S+f))*A,r[1]=(d+y)*A,r[2]=(_-w)*A,r[3]=0,r[4]=(d-y)*R,r[5]=(1-(h+f))*R,r[6]=(m+v)*R,r[7]=0,r[8]=(_+w)*g,r[9]=(m-v)*g,r[10]=(1-(h+S))*g,r[11]=0,r[12]=e.x,r[13]=e.y,r[14]=e.z,r[15]=1,this}decompose(e,t,i){const r=this.elements;e.x=r[12],e.y=r[13],e.z=r[14];const s=this.determinantAffine();if(s===0)return i.set(1,1,1),t.identity(),this;let a=Mi.set(r[0],r[1],r[2]).length();const o=Mi.set(r[4],r[5],r[6]).length(),l=Mi.set(r[8],r[9],r[10]).length();s<0&&(a=-a),sn.copy(this);const c=1/a,u=1/o,p=1/l;return sn.elements[0]*=c,sn.elements[1]*=c,sn.elements[2]*=c,sn.elements[4]*=u,sn.elements[5]*=u,sn.elements[6]*=u,sn.elements[8]*=p,sn.elements[9]*=p,sn.elements[10]*=p,t.setFromRotationMatrix(sn),i.x=a,i.y=o,i.z=l,this}makePerspective(e,t,i,r,s,a,o=un,l=!1){const c=this.elements,u=2*s/(t-e),p=2*s/(i-r),h=(t+e)/(t-e),d=(i+r)/(i-r);let _,S;if(l)_=s/(a-s),S=a*s/(a-s);else if(o===un)_=-(a+s)/(a-s),S=-2*a*s/(a-s);else if(o===Ss)_=-a/(a-s),S=-a*s/(a-s);else throw new Error("THREE.Matrix4.makePerspective(): Invalid coordinate system: "+o);return c[0]=u,c[4]=0,c[8]=h,c[12]=0,c[1]=0,c[5]=p,c[9]=d,c[13]=0,c[2]=0,c[6]=0,c[10]=_,c[14]=S,c[3]=0,c[7]=0,c[11]=-1,c[15]=0,this}makeOrthographic(e,t,i,r,s,a,o=un,l=!1){const c=this.elements,u=2/(t-e),p=2/(i-r),h=-(t+e)/(t-e),d=-(i+r)/(i-r);let _,S;if(l)_=1/(a-s),S=a/(a-s);else if(o===un)_=-2/(a-s),S=-(a+s)/(a-s);else if(o===Ss)_=-1/(a-s),S=-s/(a-s);else throw new Error("THREE.Matrix4.makeOrthographic(): Invalid coordinate system: "+o);return c[0]=u,c[4]=0,c[8]=0,c[12]=h,c[1]=0,c[5]=p,c[9]=0,c[13]=d,c[2]=0,c[6]=0,c[10]=_,c[14]=S,c[3]=0,c[7]=0,c[11]=0,c[15]=1,this}equals(e){const t=this.elements,i=e.elements;for(let r=0;r<16;r++)if(t[r]!==i[r])return!1;return!0}fromArray(e,t=0){for(let i=0;i<16;i++)this.elements[i]=e[i+t];return this}toArray(e=[],t=0){const i=this.elements;return e[t]=i[0],e[t+1]=i[1],e[t+2]=i[2],e[t+3]=i[3],e[t+4]=i[4],e[t+5]=i[5],e[t+6]=i[6],e[t+7]=i[7],e[t+8]=i[8],e[t+9]=i[9],e[t+10]=i[10],e[t+11]=i[11],e[t+12]=i[12],e[t+13]=i[13],e[t+14]=i[14],e[t+15]=i[15],e}};As.prototype.isMatrix4=!0;let dt=As;const Mi=new V,sn=new dt,op=new V(0,0,0),lp=new V(1,1,1),zn=new V,yr=new V,Vt=new V,rc=new dt,sc=new Vi;class _i{constructor(e=0,t=0,i=0,r=_i.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,this._z=i,this._order=r}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get order(){return this._order}set order(e){this._order=e,this._onChangeCallback()}set(e,t,i,r=this._order){return this._x=e,this._y=t,this._z=i,this._order=r,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._order)}copy(e){return this._x=e._x,this._y=e._y,this._z=e._z,this._order=e._order,this._onChangeCallback(),this}setFromRotationMatrix(e,t=this._order,i=!0){const r=e.elements,s=r[0],a=r[4],o=r[8],l=r[1],c=r[5],u=r[9],p=r[2],h=r[6],d=r[10];switch(t){case"XYZ":this._y=Math.asin(He(o,-1,1)),Math.abs(o)<.9999999?(this._x=Math.atan2(-u,d),this._z=Math.atan2(-a,s)):(this._x=Math.atan2(h,c),this._z=0);break;case"YXZ":this._x=Math.asin(-He(u,-1,1)),Math.abs(u)<.9999999?(this._y=Math.atan2(o,d),this._z=Math.atan2(l,c)):(this._y=Math.atan2(-p,s),this._z=0);break;case"ZXY":this._x=Math.asin(He(h,-1,1)),Math.abs(h)<.9999999?(this._y=Math.atan2(-p,d),this._z=Math.atan2(-a,c)):(this._y=0,this._z=Math.atan2(l,s));break;case"ZYX":this._y=Math.asin(-He(p,-1,1)),Math.abs(p)<.9999999?(this._x=Math.atan2(h,d),this._z=Math.atan2(l,s)):(this._x=0,this._z=Math.atan2(-a,c));break;case"YZX":this._z=Math.asin(He(l,-1,1)),Math.abs(l)<.9999999?(this._x=Math.atan2(-u,c),this._y=Math.atan2(-p,s)):(this._x=0,this._y=Math.atan2(o,d));break;case"XZY":this._z=Math.asin(-He(a,-1,1)),Math.abs(a)<.9999999?(this._x=Math.atan2(h,c),this._y=Math.atan2(o,s)):(this._x=Math.atan2(-u,d),this._y=0);break;default:Pe("Euler: .setFromRotationMatrix() encountered an unknown order: "+t)}return this._order=t,i===!0&&this._onChangeCallback(),this}setFromQuaternion(e,t,i){return rc.makeRotationFromQuaternion(e),this.setFromRotationMatrix(rc,t,i)}setFromVector3(e,t=this._order){return this.set(e.x,e.y,e.z,t)}reorder(e){return sc.setFromEuler(this),this.setFromQuaternion(sc,e)}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._order===this._order}fromArray(e){return this._x=e[0],this._y=e[1],this._z=e[2],e[3]!==void 0&&(this._order=e[3]),this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this._y,e[t+2]=this._z,e[t+3]=this._order,e}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._order}}_i.DEFAULT_ORDER="XYZ";class yh{constructor(){this.mask=1}set(e){this.mask=(1<<e|0)>>>0}enable(e){this.mask|=1<<e|0}enableAll(){this.mask=-1}toggle(e){this.mask^=1<<e|0}disable(e){this.mask&=~(1<<e|0)}disableAll(){this.mask=0}test(e){return(this.mask&e.mask)!==0}isEnabled(e){return(this.mask&(1<<e|0))!==0}}let cp=0;const ac=new V,yi=new Vi,bn=new dt,Er=new V,$i=new V,up=new V,hp=new Vi,oc=new V(1,0,0),lc=new V(0,1,0),cc=new V(0,0,1),uc={type:"added"},dp={type:"removed"},Ei={type:"childadded",child:null},ia={type:"childremoved",child:null};class $t extends xi{constructor(){super(),this.isObject3D=!0,Object.defineProperty(this,"id",{value:cp++}),this.uuid=dr(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=$t.DEFAULT_UP.clone();const e=new V,t=new _i,i=new Vi,r=new V(1,1,1);function s(){i.setFromEuler(t,!1)}function a(){t.setFromQuaternion(i,void 0,!1)}t._onChange(s),i._onChange(a),Object.defineProperties(this,{position:{configurable:!0,enumerable:!0,value:e},rotation:{configurable:!0,enumerable:!0,value:t},quaternion:{configurable:!0,enumerable:!0,value:i},scale:{configurable:!0,enumerable:!0,value:r},modelViewMatrix:{value:new dt},normalMatrix:{value:new De}}),this.matrix=new dt,this.matrixWorld=new dt,this.matrixAutoUpdate=$t.DEFAULT_MATRIX_AUTO_UPDATE,this.matrixWorldAutoUpdate=$t.DEFAULT_MATRIX_WORLD_AUTO_UPDATE,this.matrixWorldNeedsUpdate=!1,this.layers=new yh,this.visible=!0,this.castShadow=!1,this.receiveShadow=!1,this.frustumCulled=!0,this.renderOrder=0,this.animations=[],this.customDepthMaterial=void 0,this.customDistanceMaterial=void 0,this.static=!1,this.userData={},this.pivot=null}onBeforeShadow(){}onAfterShadow(){}onBeforeRender(){}onAfterRender(){}applyMatrix4(e){this.matrixAutoUpdate&&this.updateMatrix(),this.matrix.premultiply(e),this.matrix.decompose(this.position,this.quaternion,this.scale),this.pivot!==null&&this.position.copy(this.pivot).applyMatrix4(this.matrix).sub(this.pivot)}applyQuaternion(e){return this.quaternion.premultiply(e),this}setRotationFromAxisAngle(e,t){this.quaternion.setFromAxisAngle(e,t)}setRotationFromEuler(e){this.quaternion.setFromEuler(e,!0)}setRotationFromMatrix(e){this.quaternion.setFromRotationMatrix(e)}setRotationFromQuaternion(e){this.quaternion.copy(e)}rotateOnAxis(e,t){return yi.setFromAxisAngle(e,t),this.quaternion.multiply(yi),this}rotateOnWorldAxis(e,t){return yi.setFromAxisAngle(e,t),this.quaternion.premultiply(yi),this}rotateX(e){return this.rotateOnAxis(oc,e)}rotateY(e){return this.rotateOnAxis(lc,e)}rotateZ(e){return this.rotateOnAxis(cc,e)}translateOnAxis(e,t){return ac.copy(e).applyQuaternion(this.quaternion),this.position.add(ac.multiplyScalar(t)),this}translateX(e){return this.translateOnAxis(oc,e)}translateY(e){return this.translateOnAxis(lc,e)}translateZ(e){return this.translateOnAxis(cc,e)}localToWorld(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(this.matrixWorld)}worldToLocal(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(bn.copy(this.matrixWorld).invert())}lookAt(e,t,i){e.isVector3?Er.copy(e):Er.set(e,t,i);const r=this.parent;this.updateWorldMatrix(!0,!1),$i.setFromMatrixPosition(this.matrixWorld),this.isCamera||this.isLight?bn.lookAt($i,Er,this.up):bn.lookAt(Er,$i,this.up),this.quaternion.setFromRotationMatrix(bn),r&&(bn.extractRotation(r.matrixWorld),yi.setFromRotationMatrix(bn),this.quaternion.premultiply(yi.invert()))}add(e){if(arguments.length>1){for(let t=0;t<arguments.length;t++)this.add(arguments[t]);return this}return e===this?(qe("Object3D.add: object can't be added as a child of itself.",e),this):(e&&e.isObject3D?(e.removeFromParent(),e.parent=this,this.children.push(e),e.dispatchEvent(uc),Ei.child=e,this.dispatchEvent(Ei),Ei.child=null):qe("Object3D.add: object not an instance of THREE.Object3D.",e),this)}remove(e){if(arguments.length>1){for(let i=0;i<arguments.length;i++)this.remove(arguments[i]);return this}const t=this.children.indexOf(e);return t!==-1&&(e.parent=null,this.children.splice(t,1),e.dispatchEvent(dp),ia.child=e,this.dispatchEvent(ia),ia.child=null),this}removeFromParent(){const e=this.parent;return e!==null&&e.remove(this),this}clear(){return this.remove(...this.children)}attach(e){return this.updateWorldMatrix(!0,!1),bn.copy(this.matrixWorld).invert(),e.parent!==null&&(e.parent.updateWorldMatrix(!0,!1),bn.multiply(e.parent.matrixWorld)),e.applyMatrix4(bn),e.removeFromParent(),e.parent=this,this.children.push(e),e.updateWorldMatrix(!1,!0),e.dispatchEvent(uc),Ei.child=e,this.dispatchEvent(Ei),Ei.child=null,this}getObjectById(e){return this.getObjectByProperty("id",e)}getObjectByName(e){return this.getObjectByProperty("name",e)}getObjectByProperty(e,t){if(this[e]===t)return this;for(let i=0,r=this.children.length;i<r;i++){const a=this.children[i].getObjectByProperty(e,t);if(a!==void 0)return a}}getObjectsByProperty(e,t,i=[]){this[e]===t&&i.push(this);const r=this.children;for(let s=0,a=r.length;s<a;s++)r[s].getObjectsByProperty(e,t,i);return i}getWorldPosition(e){return this.updateWorldMatrix(!0,!1),e.setFromMatrixPosition(this.matrixWorld)}getWorldQuaternion(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose($i,e,up),e}getWorldScale(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose($i,hp,e),e}getWorldDirection(e){this.updateWorldMatrix(!0,!1);const t=this.matrixWorld.elements;return e.set(t[8],t[9],t[10]).normalize()}raycast(){}intersectsFrustum(){return!0}traverse(e){e(this);const t=this.children;for(let i=0,r=t.length;i<r;i++)t[i].traverse(e)}traverseVisible(e){if(this.visible===!1)return;e(this);const t=this.children;for(let i=0,r=t.length;i<r;i++)t[i].traverseVisible(e)}traverseAncestors(e){const t=this.parent;t!==null&&(e(t),t.traverseAncestors(e))}updateMatrix(){this.matrix.compose(this.position,this.quaternion,this.scale);const e=this.pivot;if(e!==null){const t=e.x,i=e.y,r=e.z,s=this.matrix.elements;s[12]+=t-s[0]*t-s[4]*i-s[8]*r,s[13]+=i-s[1]*t-s[5]*i-s[9]*r,s[14]+=r-s[2]*t-s[6]*i-s[10]*r}this.matrixWorldNeedsUpdate=!0}updateMatrixWorld(e){this.matrixAutoUpdate&&this.updateMatrix(),(this.matrixWorldNeedsUpdate||e)&&(this.matrixWorldAutoUpdate===!0&&(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),this.matrixWorldNeedsUpdate=!1,e=!0);const t=this.children;for(let i=0,r=t.length;i<r;i++)t[i].updateMatrixWorld(e)}updateWorldMatrix(e,t,i=!1){const r=this.parent;if(e===!0&&r!==null&&r.updateWorldMatrix(!0,!1),this.matrixAutoUpdate&&this.updateMatrix(),(this.matrixWorldNeedsUpdate||i)&&(this.matrixWorldAutoUpdate===!0&&(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),this.matrixWorldNeedsUpdate=!1,i=!0),t===!0){const s=this.children;for(let a=0,o=s.length;a<o;a++)s[a].updateWorldMatrix(!1,!0,i)}}toJSON(e){const t=e===void 0||typeof e=="string",i={};t&&(e={geometries:{},materials:{},textures:{},images:{},shapes:{},skeletons:{},animations:{},nodes:{}},i.metadata={version:4.7,type:"Object",generator:"Object3D.toJSON"});const r={};r.uuid=this.uuid,r.type=this.type,r.name=this.name,r.castShadow=this.castShadow,r.receiveShadow=this.receiveShadow,r.visible=this.visible,r.frustumCulled=this.frustumCulled,r.renderOrder=this.renderOrder,r.static=this.static,r.matrixAutoUpdate=this.matrixAutoUpdate,Object.keys(this.userData).length>0&&(r.userData=this.userData),r.layers=this.layers.mask,r.matrix=this.matrix.toArray(),r.up=this.up.toArray(),this.pivot!==null&&(r.pivot=this.pivot.toArray()),this.morphTargetDictionary!==void 0&&(r.morphTargetDictionary=Object.assign({},this.morphTargetDictionary)),this.morphTargetInfluences!==void 0&&(r.morphTargetInfluences=this.morphTargetInfluences.slice()),this.isInstancedMesh&&(r.type="InstancedMesh",r.count=this.count,r.instanceMatrix=this.instanceMatrix.toJSON(),this.instanceColor!==null&&(r.instanceColor=this.instanceColor.toJSON())),this.isBatchedMesh&&(r.type="BatchedMesh",r.perObjectFrustumCulled=this.perObjectFrustumCulled,r.sortObjects=this.sortObjects,r.drawRanges=this._drawRanges,r.reservedRanges=this._reservedRanges,r.geometryInfo=this._geometryInfo.map(o=>({...o,boundingBox:o.boundingBox?o.boundingBox.toJSON():void 0,boundingSphere:o.boundingSphere?o.boundingSphere.toJSON():void 0})),r.instanceInfo=this._instanceInfo.map(o=>({...o})),r.availableInstanceIds=this._availableInstanceIds.slice(),r.availableGeometryIds=this._availableGeometryIds.slice(),r.nextIndexStart=this._nextIndexStart,r.nextVertexStart=this._nextVertexStart,r.geometryCount=this._geometryCount,r.maxInstanceCount=this._maxInstanceCount,r.maxVertexCount=this._maxVertexCount,r.maxIndexCount=this._maxIndexCount,r.geometryInitialized=this._geometryInitialized,r.matricesTexture=this._matricesTexture.toJSON(e),r.indirectTexture=this._indirectTexture.toJSON(e),this._colorsTexture!==null&&(r.colorsTexture=this._colorsTexture.toJSON(e)),this.boundingSphere!==null&&(r.boundingSphere=this.boundingSphere.toJSON()),this.boundingBox!==null&&(r.boundingBox=this.boundingBox.toJSON()));function s(o,l){return o[l.uuid]===void 0&&(o[l.uuid]=l.toJSON(e)),l.uuid}if(this.isScene)this.background&&(this.background.isColor?r.background=this.background.toJSON():this.background.isTexture&&(r.background=this.background.toJSON(e).uuid)),this.environment&&this.environment.isTexture&&this.environment.isRenderTargetTexture!==!0&&(r.environment=this.environment.toJSON(e).uuid);else if(this.isMesh||this.isLine||this.isPoints){r.geometry=s(e.geometries,this.geometry);const o=this.geometry.parameters;if(o!==void 0&&o.shapes!==void 0){const l=o.shapes;if(Array.isArray(l))for(let c=0,u=l.length;c<u;c++){const p=l[c];s(e.shapes,p)}else s(e.shapes,l)}}if(this.isSkinnedMesh&&(r.bindMode=this.bindMode,r.bindMatrix=this.bindMatrix.toArray(),this.skeleton!==void 0&&(s(e.skeletons,this.skeleton),r.skeleton=this.skeleton.uuid)),this.material!==void 0)if(Array.isArray(this.material)){const o=[];for(let l=0,c=this.material.length;l<c;l++)o.push(s(e.materials,this.material[l]));r.material=o}else r.material=s(e.materials,this.material);if(this.children.length>0){r.children=[];for(let o=0;o<this.children.length;o++)r.children.push(this.children[o].toJSON(e).object)}if(this.animations.length>0){r.animations=[];for(let o=0;o<this.animations.length;o++){const l=this.animations[o];r.animations.push(s(e.animations,l))}}if(t){const o=a(e.geometries),l=a(e.materials),c=a(e.textures),u=a(e.images),p=a(e.shapes),h=a(e.skeletons),d=a(e.animations),_=a(e.nodes);o.length>0&&(i.geometries=o),l.length>0&&(i.materials=l),c.length>0&&(i.textures=c),u.length>0&&(i.images=u),p.length>0&&(i.shapes=p),h.length>0&&(i.skeletons=h),d.length>0&&(i.animations=d),_.length>0&&(i.nodes=_)}return i.object=r,i;function a(o){const l=[];for(const c in o){const u=o[c];delete u.metadata,l.push(u)}return l}}clone(e){return new this.constructor().copy(this,e)}copy(e,t=!0){if(this.name=e.name,this.up.copy(e.up),this.position.copy(e.position),this.rotation.order=e.rotation.order,this.quaternion.copy(e.quaternion),this.scale.copy(e.scale),this.pivot=e.pivot!==null?e.pivot.clone():null,this.matrix.copy(e.matrix),this.matrixWorld.copy(e.matrixWorld),this.matrixAutoUpdate=e.matrixAutoUpdate,this.matrixWorldAutoUpdate=e.matrixWorldAutoUpdate,this.matrixWorldNeedsUpdate=e.matrixWorldNeedsUpdate,this.layers.mask=e.layers.mask,this.visible=e.visible,this.castShadow=e.castShadow,this.receiveShadow=e.receiveShadow,this.frustumCulled=e.frustumCulled,this.renderOrder=e.renderOrder,this.static=e.static,this.animations=e.animations.slice(),this.userData=JSON.parse(JSON.stringify(e.userData)),t===!0)for(let i=0;i<e.children.length;i++){const r=e.children[i];this.add(r.clone())}return this}dispose(){this.dispatchEvent({type:"dispose"})}}$t.DEFAULT_UP=new V(0,1,0);$t.DEFAULT_MATRIX_AUTO_UPDATE=!0;$t.DEFAULT_MATRIX_WORLD_AUTO_UPDATE=!0;class br extends $t{constructor(){super(),this.isGroup=!0,this.type="Group"}}const fp={type:"move"};class ra{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===null&&(this._hand=new br,this._hand.matrixAutoUpdate=!1,this._hand.visible=!1,this._hand.joints={},this._hand.inputState={pinching:!1}),this._hand}getTargetRaySpace(){return this._targetRay===null&&(this._targetRay=new br,this._targetRay.matrixAutoUpdate=!1,this._targetRay.visible=!1,this._targetRay.hasLinearVelocity=!1,this._targetRay.linearVelocity=new V,this._targetRay.hasAngularVelocity=!1,this._targetRay.angularVelocity=new V),this._targetRay}getGripSpace(){return this._grip===null&&(this._grip=new br,this._grip.matrixAutoUpdate=!1,this._grip.visible=!1,this._grip.hasLinearVelocity=!1,this._grip.linearVelocity=new V,this._grip.hasAngularVelocity=!1,this._grip.angularVelocity=new V,this._grip.eventsEnabled=!1),this._grip}dispatchEvent(e){return this._targetRay!==null&&this._targetRay.dispatchEvent(e),this._grip!==null&&this._grip.dispatchEvent(e),this._hand!==null&&this._hand.dispatchEvent(e),this}connect(e){if(e&&e.hand){const t=this._hand;if(t)for(const i of e.hand.values())this._getHandJoint(t,i)}return this.dispatchEvent({type:"connected",data:e}),this}disconnect(e){return this.dispatchEvent({type:"disconnected",data:e}),this._targetRay!==null&&(this._targetRay.visible=!1),this._grip!==null&&(this._grip.visible=!1),this._hand!==null&&(this._hand.visible=!1),this}update(e,t,i){let r=null,s=null,a=null;const o=this._targetRay,l=this._grip,c=this._hand;if(e&&t.session.visibilityState!=="visible-blurred"){if(c&&e.hand){a=!0;for(const S of e.hand.values()){const m=t.getJointPose(S,i),f=this._getHandJoint(c,S);m!==null&&(f.matrix.fromArray(m.transform.matrix),f.matrix.decompose(f.position,f.quaternion,f.scale),f.matrixWorldNeedsUpdate=!0,f.jointRadius=m.radius),f.visible=m!==null}const u=c.joints["index-finger-tip"],p=c.joints["thumb-tip"],h=u.position.distanceTo(p.position),d=.02,_=.005;c.inputState.pinching&&h>d+_?(c.inputState.pinching=!1,this.dispatchEvent({type:"pinchend",handedness:e.handedness,target:this})):!c.inputState.pinching&&h<=d-_&&(c.inputState.pinching=!0,this.dispatchEvent({type:"pinchstart",handedness:e.handedness,target:this}))}else l!==null&&e.gripSpace&&(s=t.getPose(e.gripSpace,i),s!==null&&(l.matrix.fromArray(s.transform.matrix),l.matrix.decompose(l.position,l.quaternion,l.scale),l.matrixWorldNeedsUpdate=!0,s.linearVelocity?(l.hasLinearVelocity=!0,l.linearVelocity.copy(s.linearVelocity)):l.hasLinearVelocity=!1,s.angularVelocity?(l.hasAngularVelocity=!0,l.angularVelocity.copy(s.angularVelocity)):l.hasAngularVelocity=!1,l.eventsEnabled&&l.dispatchEvent({type:"gripUpdated",data:e,target:this})));o!==null&&(r=t.getPose(e.targetRaySpace,i),r===null&&s!==null&&(r=s),r!==null&&(o.matrix.fromArray(r.transform.matrix),o.matrix.decompose(o.position,o.quaternion,o.scale),o.matrixWorldNeedsUpdate=!0,r.linearVelocity?(o.hasLinearVelocity=!0,o.linearVelocity.copy(r.linearVelocity)):o.hasLinearVelocity=!1,r.angularVelocity?(o.hasAngularVelocity=!0,o.angularVelocity.copy(r.angularVelocity)):o.hasAngularVelocity=!1,this.dispatchEvent(fp)))}return o!==null&&(o.visible=r!==null),l!==null&&(l.visible=s!==null),c!==null&&(c.visible=a!==null),this}_getHandJoint(e,t){if(e.joints[t.jointName]===void 0){const i=new br;i.matrixAutoUpdate=!1,i.visible=!1,e.joints[t.jointName]=i,e.add(i)}return e.joints[t.jointName]}}const Eh={aliceblue:15792383,antiquewhite:16444375,aqua:65535,aquamarine:8388564,azure:15794175,beige:16119260,bisque:16770244,black:0,blanchedalmond:16772045,blue:255,blueviolet:9055202,brown:10824234,burlywood:14596231,cadetblue:6266528,chartreuse:8388352,chocolate:13789470,coral:16744272,cornflowerblue:6591981,cornsilk:16775388,crimson:14423100,cyan:65535,darkblue:139,darkcyan:35723,darkgoldenrod:12092939,darkgray:11119017,darkgreen:25600,darkgrey:11119017,darkkhaki:12433259,darkmagenta:9109643,darkolivegreen:5597999,darkorange:16747520,darkorchid:10040012,darkred:9109504,darksalmon:15308410,darkseagreen:9419919,darkslateblue:4734347,darkslategray:3100495,darkslategrey:3100495,darkturquoise:52945,darkviolet:9699539,deeppink:16716947,deepskyblue:49151,dimgray:6908265,dimgrey:6908265,dodgerblue:2003199,firebrick:11674146,floralwhite:16775920,forestgreen:2263842,fuchsia:16711935,gainsboro:14474460,ghostwhite:16316671,gold:16766720,goldenrod:14329120,gray:8421504,green:32768,greenyellow:11403055,grey:8421504,honeydew:15794160,hotpink:16738740,indianred:13458524,indigo:4915330,ivory:16777200,khaki:15787660,lavender:15132410,lavenderblush:16773365,lawngreen:8190976,lemonchiffon:16775885,lightblue:11393254,lightcoral:15761536,lightcyan:14745599,lightgoldenrodyellow:16448210,lightgray:13882323,lightgreen:9498256,lightgrey:13882323,lightpink:16758465,lightsalmon:16752762,lightseagreen:2142890,lightskyblue:8900346,lightslategray:7833753,lightslategrey:7833753,lightsteelblue:11584734,lightyellow:16777184,lime:65280,limegreen:3329330,linen:16445670,magenta:16711935,maroon:8388608,mediumaquamarine:6737322,mediumblue:205,mediumorchid:12211667,mediumpurple:9662683,mediumseagreen:3978097,mediumslateblue:8087790,mediumspringgreen:64154,mediumturquoise:4772300,mediumvioletred:13047173,midnightblue:1644912,mintcream:16121850,mistyrose:16770273,moccasin:16770229,navajowhite:16768685,navy:128,oldlace:16643558,olive:8421376,olivedrab:7048739,orange:16753920,orangered:16729344,orchid:14315734,palegoldenrod:15657130,palegreen:10025880,paleturquoise:11529966,palevioletred:14381203,papayawhip:16773077,peachpuff:16767673,peru:13468991,pink:16761035,plum:14524637,powderblue:11591910,purple:8388736,rebeccapurple:6697881,red:16711680,rosybrown:12357519,royalblue:4286945,saddlebrown:9127187,salmon:16416882,sandybrown:16032864,seagreen:3050327,seashell:16774638,sienna:10506797,silver:12632256,skyblue:8900331,slateblue:6970061,slategray:7372944,slategrey:7372944,snow:16775930,springgreen:65407,steelblue:4620980,tan:13808780,teal:32896,thistle:14204888,tomato:16737095,turquoise:4251856,violet:15631086,wheat:16113331,white:16777215,whitesmoke:16119285,yellow:16776960,yellowgreen:10145074},Gn={h:0,s:0,l:0},wr={h:0,s:0,l:0};function sa(n,e,t){return t<0&&(t+=1),t>1&&(t-=1),t<1/6?n+(e-n)*6*t:t<1/2?e:t<2/3?n+(e-n)*6*(2/3-t):n}class Ye{constructor(e,t,i){return this.isColor=!0,this.r=1,this.g=1,this.b=1,this.set(e,t,i)}set(e,t,i){if(t===void 0&&i===void 0){const r=e;r&&r.isColor?this.copy(r):typeof r=="number"?this.setHex(r):typeof r=="string"&&this.setStyle(r)}else this.setRGB(e,t,i);return this}setScalar(e){return this.r=e,this.g=e,this.b=e,this}setHex(e,t=jt){return e=Math.floor(e),this.r=(e>>16&255)/255,this.g=(e>>8&255)/255,this.b=(e&255)/255,Ve.colorSpaceToWorking(this,t),this}setRGB(e,t,i,r=Ve.workingColorSpace){return this.r=e,this.g=t,this.b=i,Ve.colorSpaceToWorking(this,r),this}setHSL(e,t,i,r=Ve.workingColorSpace){if(e=Qf(e,1),t=He(t,0,1),i=He(i,0,1),t===0)this.r=this.g=this.b=i;else{const s=i<=.5?i*(1+t):i+t-i*t,a=2*i-s;this.r=sa(a,s,e+1/3),this.g=sa(a,s,e),this.b=sa(a,s,e-1/3)}return Ve.colorSpaceToWorking(this,r),this}setStyle(e,t=jt){function i(s){s!==void 0&&parseFloat(s)<1&&Pe("Color: Alpha component of "+e+" will be ignored.")}let r;if(r=/^(\w+)\(([^\)]*)\)/.exec(e)){let s;const a=r[1],o=r[2];switch(a){case"rgb":case"rgba":if(s=/^\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(o))return i(s[4]),this.setRGB(Math.min(255,parseInt(s[1],10))/255,Math.min(255,parseInt(s[2],10))/255,Math.min(255,parseInt(s[3],10))/255,t);if(s=/^\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(o))return i(s[4]),this.setRGB(Math.min(100,parseFloat(s[1]))/100,Math.min(100,parseFloat(s[2]))/100,Math.min(100,parseFloat(s[3]))/100,t);break;case"hsl":case"hsla":if(s=/^\s*([+-]?(?:\d+(?:\.\d+)?|\.\d+))\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(o))return i(s[4]),this.setHSL(parseFloat(s[1])/360,parseFloat(s[2])/100,parseFloat(s[3])/100,t);break;default:Pe("Color: Unknown color model "+e)}}else if(r=/^\#([A-Fa-f\d]+)$/.exec(e)){const s=r[1],a=s.length;if(a===3)return this.setRGB(parseInt(s.charAt(0),16)/15,parseInt(s.charAt(1),16)/15,parseInt(s.charAt(2),16)/15,t);if(a===6)return this.setHex(parseInt(s,16),t);Pe("Color: Invalid hex color "+e)}else if(e&&e.length>0)return this.setColorName(e,t);return this}setColorName(e,t=jt){const i=Eh[e.toLowerCase()];return i!==void 0?this.setHex(i,t):Pe("Color: Unknown color "+e),this}clone(){return new this.constructor(this.r,this.g,this.b)}copy(e){return this.r=e.r,this.g=e.g,this.b=e.b,this}copySRGBToLinear(e){return this.r=In(e.r),this.g=In(e.g),this.b=In(e.b),this}copyLinearToSRGB(e){return this.r=Ni(e.r),this.g=Ni(e.g),this.b=Ni(e.b),this}convertSRGBToLinear(){return this.copySRGBToLinear(this),this}convertLinearToSRGB(){return this.copyLinearToSRGB(this),this}getHex(e=jt){return Ve.workingToColorSpace(Dt.copy(this),e),Math.round(He(Dt.r*255,0,255))*65536+Math.round(He(Dt.g*255,0,255))*256+Math.round(He(Dt.b*255,0,255))}getHexString(e=jt){return("000000"+this.getHex(e).toString(16)).slice(-6)}getHSL(e,t=Ve.workingColorSpace){Ve.workingToColorSpace(Dt.copy(this),t);const i=Dt.r,r=Dt.g,s=Dt.b,a=Math.max(i,r,s),o=Math.min(i,r,s);let l,c;const u=(o+a)/2;if(o===a)l=0,c=0;else{const p=a-o;switch(c=u<=.5?p/(a+o):p/(2-a-o),a){case i:l=(r-s)/p+(r<s?6:0);break;case r:l=(s-i)/p+2;break;case s:l=(i-r)/p+4;break}l/=6}return e.h=l,e.s=c,e.l=u,e}getRGB(e,t=Ve.workingColorSpace){return Ve.workingToColorSpace(Dt.copy(this),t),e.r=Dt.r,e.g=Dt.g,e.b=Dt.b,e}getStyle(e=jt){Ve.workingToColorSpace(Dt.copy(this),e);const t=Dt.r,i=Dt.g,r=Dt.b;return e!==jt?`color(${e} ${t.toFixed(3)} ${i.toFixed(3)} ${r.toFixed(3)})`:`rgb(${Math.round(t*255)},${Math.round(i*255)},${Math.round(r*255)})`}offsetHSL(e,t,i){return this.getHSL(Gn),this.setHSL(Gn.h+e,Gn.s+t,Gn.l+i)}add(e){return this.r+=e.r,this.g+=e.g,this.b+=e.b,this}addColors(e,t){return this.r=e.r+t.r,this.g=e.g+t.g,this.b=e.b+t.b,this}addScalar(e){return this.r+=e,this.g+=e,this.b+=e,this}sub(e){return this.r=Math.max(0,this.r-e.r),this.g=Math.max(0,this.g-e.g),this.b=Math.max(0,this.b-e.b),this}multiply(e){return this.r*=e.r,this.g*=e.g,this.b*=e.b,this}multiplyScalar(e){return this.r*=e,this.g*=e,this.b*=e,this}lerp(e,t){return this.r+=(e.r-this.r)*t,this.g+=(e.g-this.g)*t,this.b+=(e.b-this.b)*t,this}lerpColors(e,t,i){return this.r=e.r+(t.r-e.r)*i,this.g=e.g+(t.g-e.g)*i,this.b=e.b+(t.b-e.b)*i,this}lerpHSL(e,t){this.getHSL(Gn),e.getHSL(wr);const i=Qs(Gn.h,wr.h,t),r=Qs(Gn.s,wr.s,t),s=Qs(Gn.l,wr.l,t);return this.setHSL(i,r,s),this}setFromVector3(e){return this.r=e.x,this.g=e.y,this.b=e.z,this}applyMatrix3(e){const t=this.r,i=this.g,r=this.b,s=e.elements;return this.r=s[0]*t+s[3]*i+s[6]*r,this.g=s[1]*t+s[4]*i+s[7]*r,this.b=s[2]*t+s[5]*i+s[8]*r,this}equals(e){return e.r===this.r&&e.g===this.g&&e.b===this.b}fromArray(e,t=0){return this.r=e[t],this.g=e[t+1],this.b=e[t+2],this}toArray(e=[],t=0){return e[t]=this.r,e[t+1]=this.g,e[t+2]=this.b,e}fromBufferAttribute(e,t){return this.r=e.getX(t),this.g=e.getY(t),this.b=e.getZ(t),this}toJSON(){return this.getHex()}*[Symbol.iterator](){yield this.r,yield this.g,yield this.b}}const Dt=new Ye;Ye.NAMES=Eh;class pp extends $t{constructor(){super(),this.isScene=!0,this.type="Scene",this.background=null,this.environment=null,this.fog=null,this.backgroundBlurriness=0,this.backgroundIntensity=1,this.backgroundRotation=new _i,this.environmentIntensity=1,this.environmentRotation=new _i,this.overrideMaterial=null,typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}copy(e,t){return super.copy(e,t),this.background=e.background!==null?e.background.clone():null,this.environment=e.environment!==null?e.environment.clone():null,this.fog=e.fog!==null?e.fog.clone():null,this.backgroundBlurriness=e.backgroundBlurriness,this.backgroundIntensity=e.backgroundIntensity,this.backgroundRotation.copy(e.backgroundRotation),this.environmentIntensity=e.environmentIntensity,this.environmentRotation.copy(e.environmentRotation),this.overrideMaterial=e.overrideMaterial!==null?e.overrideMaterial.clone():null,this.matrixAutoUpdate=e.matrixAutoUpdate,this}toJSON(e){const t=super.toJSON(e);return this.fog!==null&&(t.object.fog=this.fog.toJSON()),t.object.backgroundBlurriness=this.backgroundBlurriness,t.object.backgroundIntensity=this.backgroundIntensity,t.object.backgroundRotation=this.backgroundRotation.toArray(),t.object.environmentIntensity=this.environmentIntensity,t.object.environmentRotation=this.environmentRotation.toArray(),t}}const an=new V,wn=new V,aa=new V,Tn=new V,bi=new V,wi=new V,hc=new V,oa=new V,la=new V,ca=new V,ua=new lt,ha=new lt,da=new lt;class ln{constructor(e=new V,t=new V,i=new V){this.a=e,this.b=t,this.c=i}static getNormal(e,t,i,r){r.subVectors(i,t),an.subVectors(e,t),r.cross(an);const s=r.lengthSq();return s>0?r.multiplyScalar(1/Math.sqrt(s)):r.set(0,0,0)}static getBarycoord(e,t,i,r,s){an.subVectors(r,t),wn.subVectors(i,t),aa.subVectors(e,t);const a=an.dot(an),o=an.dot(wn),l=an.dot(aa),c=wn.dot(wn),u=wn.dot(aa),p=a*c-o*o;if(p===0)return s.set(0,0,0),null;const h=1/p,d=(c*l-o*u)*h,_=(a*u-o*l)*h;return s.set(1-d-_,_,d)}static containsPoint(e,t,i,r){return this.getBarycoord(e,t,i,r,Tn)===null?!1:Tn.x>=0&&Tn.y>=0&&Tn.x+Tn.y<=1}static getInterpolation(e,t,i,r,s,a,o,l){return this.getBarycoord(e,t,i,r,Tn)===null?(l.x=0,l.y=0,"z"in l&&(l.z=0),"w"in l&&(l.w=0),null):(l.setScalar(0),l.addScaledVector(s,Tn.x),l.addScaledVector(a,Tn.y),l.addScaledVector(o,Tn.z),l)}static getInterpolatedAttribute(e,t,i,r,s,a){return ua.setScalar(0),ha.setScalar(0),da.setScalar(0),ua.fromBufferAttribute(e,t),ha.fromBufferAttribute(e,i),da.fromBufferAttribute(e,r),a.setScalar(0),a.addScaledVector(ua,s.x),a.addScaledVector(ha,s.y),a.addScaledVector(da,s.z),a}static isFrontFacing(e,t,i,r){return an.subVectors(i,t),wn.subVectors(e,t),an.cross(wn).dot(r)<0}set(e,t,i){return this.a.copy(e),this.b.copy(t),this.c.copy(i),this}setFromPointsAndIndices(e,t,i,r){return this.a.copy(e[t]),this.b.copy(e[i]),this.c.copy(e[r]),this}setFromAttributeAndIndices(e,t,i,r){return this.a.fromBufferAttribute(e,t),this.b.fromBufferAttribute(e,i),this.c.fromBufferAttribute(e,r),this}clone(){return new this.constructor().copy(this)}copy(e){return this.a.copy(e.a),this.b.copy(e.b),this.c.copy(e.c),this}getArea(){return an.subVectors(this.c,this.b),wn.subVectors(this.a,this.b),an.cross(wn).length()*.5}getMidpoint(e){return e.addVectors(this.a,this.b).add(this.c).multiplyScalar(1/3)}getNormal(e){return ln.getNormal(this.a,this.b,this.c,e)}getPlane(e){return e.setFromCoplanarPoints(this.a,this.b,this.c)}getBarycoord(e,t){return ln.getBarycoord(e,this.a,this.b,this.c,t)}getInterpolation(e,t,i,r,s){return ln.getInterpolation(e,this.a,this.b,this.c,t,i,r,s)}containsPoint(e){return ln.containsPoint(e,this.a,this.b,this.c)}isFrontFacing(e){return ln.isFrontFacing(this.a,this.b,this.c,e)}intersectsBox(e){return e.intersectsTriangle(this)}closestPointToPoint(e,t){const i=this.a,r=this.b,s=this.c;let a,o;bi.subVectors(r,i),wi.subVectors(s,i),oa.subVectors(e,i);const l=bi.dot(oa),c=wi.dot(oa);if(l<=0&&c<=0)return t.copy(i);la.subVectors(e,r);const u=bi.dot(la),p=wi.dot(la);if(u>=0&&p<=u)return t.copy(r);const h=l*p-u*c;if(h<=0&&l>=0&&u<=0&&l-u>0)return a=l/(l-u),t.copy(i).addScaledVector(bi,a);ca.subVectors(e,s);const d=bi.dot(ca),_=wi.dot(ca);if(_>=0&&d<=_)return t.copy(s);const S=d*c-l*_;if(S<=0&&c>=0&&_<=0)return o=c/(c-_),t.copy(i).addScaledVector(wi,o);const m=u*_-d*p;if(m<=0&&p-u>=0&&d-_>=0)return hc.subVectors(s,r),o=(p-u)/(p-u+(d-_)),t.copy(r).addScaledVector(hc,o);const f=1/(m+S+h);return a=S*f,o=h*f,t.copy(i).addScaledVector(bi,a).addScaledVector(wi,o)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(this.c)}}class fr{constructor(e=new V(1/0,1/0,1/0),t=new V(-1/0,-1/0,-1/0)){this.isBox3=!0,this.min=e,this.max=t}set(e,t){return this.min.copy(e),this.max.copy(t),this}setFromArray(e){this.makeEmpty();for(let t=0,i=e.length;t<i;t+=3)this.expandByPoint(on.fromArray(e,t));return this}setFromBufferAttribute(e){this.makeEmpty();for(let t=0,i=e.count;t<i;t++)this.expandByPoint(on.fromBufferAttribute(e,t));return this}setFromPoints(e){this.makeEmpty();for(let t=0,i=e.length;t<i;t++)this.expandByPoint(e[t]);return this}setFromCenterAndSize(e,t){const i=on.copy(t).multiplyScalar(.5);return this.min.copy(e).sub(i),this.max.copy(e).add(i),this}setFromObject(e,t=!1){return this.makeEmpty(),this.expandByObject(e,t)}clone(){return new this.constructor().copy(this)}copy(e){return this.min.copy(e.min),this.max.copy(e.max),this}makeEmpty(){return this.min.x=this.min.y=this.min.z=1/0,this.max.x=this.max.y=this.max.z=-1/0,this}isEmpty(){return this.max.x<this.min.x||this.max.y<this.min.y||this.max.z<this.min.z}getCenter(e){return this.isEmpty()?e.set(0,0,0):e.addVectors(this.min,this.max).multiplyScalar(.5)}getSize(e){return this.isEmpty()?e.set(0,0,0):e.subVectors(this.max,this.min)}expandByPoint(e){return this.min.min(e),this.max.max(e),this}expandByVector(e){return this.min.sub(e),this.max.add(e),this}expandByScalar(e){return this.min.addScalar(-e),this.max.addScalar(e),this}expandByObject(e,t=!1){e.updateWorldMatrix(!1,!1);const i=e.geometry;if(i!==void 0){const s=i.getAttribute("position");if(t===!0&&s!==void 0&&e.isInstancedMesh!==!0&&e.isBatchedMesh!==!0)for(let a=0,o=s.count;a<o;a++)e.isMesh===!0?e.getVertexPosition(a,on):on.fromBufferAttribute(s,a),on.applyMatrix4(e.matrixWorld),this.expandByPoint(on);else e.boundingBox!==void 0?(e.boundingBox===null&&e.computeBoundingBox(),Tr.copy(e.boundingBox)):(i.boundingBox===null&&i.computeBoundingBox(),Tr.copy(i.boundingBox)),Tr.applyMatrix4(e.matrixWorld),this.union(Tr)}const r=e.children;for(let s=0,a=r.length;s<a;s++)this.expandByObject(r[s],t);return this}containsPoint(e){return e.x>=this.min.x&&e.x<=this.max.x&&e.y>=this.min.y&&e.y<=this.max.y&&e.z>=this.min.z&&e.z<=this.max.z}containsBox(e){return this.min.x<=e.min.x&&e.max.x<=this.max.x&&this.min.y<=e.min.y&&e.max.y<=this.max.y&&this.min.z<=e.min.z&&e.max.z<=this.max.z}getParameter(e,t){return t.set((e.x-this.min.x)/(this.max.x-this.min.x),(e.y-this.min.y)/(this.max.y-this.min.y),(e.z-this.min.z)/(this.max.z-this.min.z))}intersectsBox(e){return e.max.x>=this.min.x&&e.min.x<=this.max.x&&e.max.y>=this.min.y&&e.min.y<=this.max.y&&e.max.z>=this.min.z&&e.min.z<=this.max.z}intersectsSphere(e){return this.clampPoint(e.center,on),on.distanceToSquared(e.center)<=e.radius*e.radius}intersectsPlane(e){let t,i;return e.normal.x>0?(t=e.normal.x*this.min.x,i=e.normal.x*this.max.x):(t=e.normal.x*this.max.x,i=e.normal.x*this.min.x),e.normal.y>0?(t+=e.normal.y*this.min.y,i+=e.normal.y*this.max.y):(t+=e.normal.y*this.max.y,i+=e.normal.y*this.min.y),e.normal.z>0?(t+=e.normal.z*this.min.z,i+=e.normal.z*this.max.z):(t+=e.normal.z*this.max.z,i+=e.normal.z*this.min.z),t<=-e.constant&&i>=-e.constant}intersectsTriangle(e){if(this.isEmpty())return!1;this.getCenter(qi),Ar.subVectors(this.max,qi),Ti.subVectors(e.a,qi),Ai.subVectors(e.b,qi),Ri.subVectors(e.c,qi),Hn.subVectors(Ai,Ti),Vn.subVectors(Ri,Ai),si.subVectors(Ti,Ri);let t=[0,-Hn.z,Hn.y,0,-Vn.z,Vn.y,0,-si.z,si.y,Hn.z,0,-Hn.x,Vn.z,0,-Vn.x,si.z,0,-si.x,-Hn.y,Hn.x,0,-Vn.y,Vn.x,0,-si.y,si.x,0];return!fa(t,Ti,Ai,Ri,Ar)||(t=[1,0,0,0,1,0,0,0,1],!fa(t,Ti,Ai,Ri,Ar))?!1:(Rr.crossVectors(Hn,Vn),t=[Rr.x,Rr.y,Rr.z],fa(t,Ti,Ai,Ri,Ar))}clampPoint(e,t){return t.copy(e).clamp(this.min,this.max)}distanceToPoint(e){return this.clampPoint(e,on).distanceTo(e)}getBoundingSphere(e){return this.isEmpty()?e.makeEmpty():(this.getCenter(e.center),e.radius=this.getSize(on).length()*.5),e}intersect(e){return this.min.max(e.min),this.max.min(e.max),this.isEmpty()&&this.makeEmpty(),this}union(e){return this.min.min(e.min),this.max.max(e.max),this}applyMatrix4(e){return this.isEmpty()?this:(An[0].set(this.min.x,this.min.y,this.min.z).applyMatrix4(e),An[1].set(this.min.x,this.min.y,this.max.z).applyMatrix4(e),An[2].set(this.min.x,this.max.y,this.min.z).applyMatrix4(e),An[3].set(this.min.x,this.max.y,this.max.z).applyMatrix4(e),An[4].set(this.max.x,this.min.y,this.min.z).applyMatrix4(e),An[5].set(this.max.x,this.min.y,this.max.z).applyMatrix4(e),An[6].set(this.max.x,this.max.y,this.min.z).applyMatrix4(e),An[7].set(this.max.x,this.max.y,this.max.z).applyMatrix4(e),this.setFromPoints(An),this)}translate(e){return this.min.add(e),this.max.add(e),this}equals(e){return e.min.equals(this.min)&&e.max.equals(this.max)}toJSON(){return{min:this.min.toArray(),max:this.max.toArray()}}fromJSON(e){return this.min.fromArray(e.min),this.max.fromArray(e.max),this}}const An=[new V,new V,new V,new V,new V,new V,new V,new V],on=new V,Tr=new fr,Ti=new V,Ai=new V,Ri=new V,Hn=new V,Vn=new V,si=new V,qi=new V,Ar=new V,Rr=new V,ai=new V;function fa(n,e,t,i,r){for(let s=0,a=n.length-3;s<=a;s+=3){ai.fromArray(n,s);const o=r.x*Math.abs(ai.x)+r.y*Math.abs(ai.y)+r.z*Math.abs(ai.z),l=e.dot(ai),c=t.dot(ai),u=i.dot(ai);if(Math.max(-Math.max(l,c,u),Math.min(l,c,u))>o)return!1}return!0}const Cn=mp();function mp(){const n=new ArrayBuffer(4),e=new Float32Array(n),t=new Uint32Array(n),i=new Uint32Array(512),r=new Uint32Array(512);for(let l=0;l<256;++l){const c=l-127;c<-27?(i[l]=0,i[l|256]=32768,r[l]=24,r[l|256]=24):c<-14?(i[l]=1024>>-c-14,i[l|256]=1024>>-c-14|32768,r[l]=-c-1,r[l|256]=-c-1):c<=15?(i[l]=c+15<<10,i[l|256]=c+15<<10|32768,r[l]=13,r[l|256]=13):c<128?(i[l]=31744,i[l|256]=64512,r[l]=24,r[l|256]=24):(i[l]=31744,i[l|256]=64512,r[l]=13,r[l|256]=13)}const s=new Uint32Array(2048),a=new Uint32Array(64),o=new Uint32Array(64);for(let l=1;l<1024;++l){let c=l<<13,u=0;for(;(c&8388608)===0;)c<<=1,u-=8388608;c&=-8388609,u+=947912704,s[l]=c|u}for(let l=1024;l<2048;++l)s[l]=939524096+(l-1024<<13);for(let l=1;l<31;++l)a[l]=l<<23;a[31]=1199570944,a[32]=2147483648;for(let l=33;l<63;++l)a[l]=2147483648+(l-32<<23);a[63]=3347054592;for(let l=1;l<64;++l)l!==32&&(o[l]=1024);return{floatView:e,uint32View:t,baseTable:i,shiftTable:r,mantissaTable:s,exponentTable:a,offsetTable:o}}function gp(n){Math.abs(n)>65504&&Pe("DataUtils.toHalfFloat(): Value out of range."),n=He(n,-65504,65504),Cn.floatView[0]=n;const e=Cn.uint32View[0],t=e>>23&511;return Cn.baseTable[t]+((e&8388607)>>Cn.shiftTable[t])}function _p(n){const e=n>>10;return Cn.uint32View[0]=Cn.mantissaTable[Cn.offsetTable[e]+(n&1023)]+Cn.exponentTable[e],Cn.floatView[0]}class vp{static toHalfFloat(e){return gp(e)}static fromHalfFloat(e){return _p(e)}}const mt=new V,Cr=new Xe;let xp=0;class Mn extends xi{constructor(e,t,i=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:xp++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/t:0,this.normalized=i,this.usage=qf,this.updateRanges=[],this.gpuType=zt,this.version=0,this._normalizationScale=e!==void 0?nl(e):void 0}onUploadCallback(){}set needsUpdate(e){e===!0&&this.version++}setUsage(e){return this.usage=e,this}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}copy(e){return this.name=e.name,this.array=new e.array.constructor(e.array),this.itemSize=e.itemSize,this.count=e.count,this.normalized=e.normalized,this.usage=e.usage,this.gpuType=e.gpuType,this._normalizationScale=e._normalizationScale,this}copyAt(e,t,i){e*=this.itemSize,i*=t.itemSize;for(let r=0,s=this.itemSize;r<s;r++)this.array[e+r]=t.array[i+r];return this}copyArray(e){return this.array.set(e),this}applyMatrix3(e){if(this.itemSize===2)for(let t=0,i=this.count;t<i;t++)Cr.fromBufferAttribute(this,t),Cr.applyMatrix3(e),this.setXY(t,Cr.x,Cr.y);else if(this.itemSize===3)for(let t=0,i=this.count;t<i;t++)mt.fromBufferAttribute(this,t),mt.applyMatrix3(e),this.setXYZ(t,mt.x,mt.y,mt.z);return this}applyMatrix4(e){for(let t=0,i=this.count;t<i;t++)mt.fromBufferAttribute(this,t),mt.applyMatrix4(e),this.setXYZ(t,mt.x,mt.y,mt.z);return this}applyNormalMatrix(e){for(let t=0,i=this.count;t<i;t++)mt.fromBufferAttribute(this,t),mt.applyNormalMatrix(e),this.setXYZ(t,mt.x,mt.y,mt.z);return this}transformDirection(e){for(let t=0,i=this.count;t<i;t++)mt.fromBufferAttribute(this,t),mt.transformDirection(e),this.setXYZ(t,mt.x,mt.y,mt.z);return this}set(e,t=0){return this.array.set(e,t),this}getComponent(e,t){let i=this.array[e*this.itemSize+t];return this.normalized&&(i=this._denormalize(i)),i}setComponent(e,t,i){return this.normalized&&(i=this._normalize(i)),this.array[e*this.itemSize+t]=i,this}getX(e){let t=this.array[e*this.itemSize];return this.normalized&&(t=this._denormalize(t)),t}setX(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize]=t,this}getY(e){let t=this.array[e*this.itemSize+1];return this.normalized&&(t=this._denormalize(t)),t}setY(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+1]=t,this}getZ(e){let t=this.array[e*this.itemSize+2];return this.normalized&&(t=this._denormalize(t)),t}setZ(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+2]=t,this}getW(e){let t=this.array[e*this.itemSize+3];return this.normalized&&(t=this._denormalize(t)),t}setW(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+3]=t,this}setXY(e,t,i){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),i=this._normalize(i)),this.array[e+0]=t,this.array[e+1]=i,this}setXYZ(e,t,i,r){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),i=this._normalize(i),r=this._normalize(r)),this.array[e+0]=t,this.array[e+1]=i,this.array[e+2]=r,this}setXYZW(e,t,i,r,s){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),i=this._normalize(i),r=this._normalize(r),s=this._normalize(s)),this.array[e+0]=t,this.array[e+1]=i,this.array[e+2]=r,this.array[e+3]=s,this}onUpload(e){return this.onUploadCallback=e,this}clone(){return new this.constructor(this.array,this.itemSize).copy(this)}toJSON(){const e={itemSize:this.itemSize,type:this.array.constructor.name,array:Array.from(this.array),normalized:this.normalized};return e.name=this.name,e.usage=this.usage,e.gpuType=this.gpuType,e}dispose(){this.dispatchEvent({type:"dispose"})}_denormalize(e){const t=this._normalizationScale;return t!==void 0?Math.max(e/t,-1):ep(e,this.array)}_normalize(e){const t=this._normalizationScale;return t!==void 0?Math.round(e*t):tp(e,this.array)}}class bh extends Mn{constructor(e,t,i){super(new Uint16Array(e),t,i)}}class wh extends Mn{constructor(e,t,i){super(new Uint32Array(e),t,i)}}class Nn extends Mn{constructor(e,t,i){super(new Float32Array(e),t,i)}}const Sp=new fr,Yi=new V,pa=new V;class rl{constructor(e=new V,t=-1){this.isSphere=!0,this.center=e,this.radius=t}set(e,t){return this.center.copy(e),this.radius=t,this}setFromPoints(e,t){const i=this.center;t!==void 0?i.copy(t):Sp.setFromPoints(e).getCenter(i);let r=0;for(let s=0,a=e.length;s<a;s++)r=Math.max(r,i.distanceToSquared(e[s]));return this.radius=Math.sqrt(r),this}copy(e){return this.center.copy(e.center),this.radius=e.radius,this}isEmpty(){return this.radius<0}makeEmpty(){return this.center.set(0,0,0),this.radius=-1,this}containsPoint(e){return e.distanceToSquared(this.center)<=this.radius*this.radius}distanceToPoint(e){return e.distanceTo(this.center)-this.radius}intersectsSphere(e){const t=this.radius+e.radius;return e.center.distanceToSquared(this.center)<=t*t}intersectsBox(e){return e.intersectsSphere(this)}intersectsPlane(e){return Math.abs(e.distanceToPoint(this.center))<=this.radius}clampPoint(e,t){const i=this.center.distanceToSquared(e);return t.copy(e),i>this.radius*this.radius&&(t.sub(this.center).normalize(),t.multiplyScalar(this.radius).add(this.center)),t}getBoundingBox(e){return this.isEmpty()?(e.makeEmpty(),e):(e.set(this.center,this.center),e.expandByScalar(this.radius),e)}applyMatrix4(e){return this.center.applyMatrix4(e),this.radius=this.radius*e.getMaxScaleOnAxis(),this}translate(e){return this.center.add(e),this}expandByPoint(e){if(this.isEmpty())return this.center.copy(e),this.radius=0,this;Yi.subVectors(e,this.center);const t=Yi.lengthSq();if(t>this.radius*this.radius){const i=Math.sqrt(t),r=(i-this.radius)*.5;this.center.addScaledVector(Yi,r/i),this.radius+=r}return this}union(e){return e.isEmpty()?this:this.isEmpty()?(this.copy(e),this):(this.center.equals(e.center)===!0?this.radius=Math.max(this.radius,e.radius):(pa.subVectors(e.center,this.center).setLength(e.radius),this.expandByPoint(Yi.copy(e.center).add(pa)),this.expandByPoint(Yi.copy(e.center).sub(pa))),this)}equals(e){return e.center.equals(this.center)&&e.radius===this.radius}clone(){return new this.constructor().copy(this)}toJSON(){return{radius:this.radius,center:this.center.toArray()}}fromJSON(e){return this.radius=e.radius,this.center.fromArray(e.center),this}}let Mp=0;const Qt=new dt,ma=new $t,Ci=new V,Wt=new fr,Ki=new fr,bt=new V;class On extends xi{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:Mp++}),this.uuid=dr(),this.name="",this.type="BufferGeometry",this.index=null,this.indirect=null,this.indirectOffset=0,this.attributes={},this.morphAttributes={},this.morphTargetsRelative=!1,this.groups=[],this.boundingBox=null,this.boundingSphere=null,this.drawRange={start:0,count:1/0},this.userData={},this._transformed=!1}getIndex(){return this.index}setIndex(e){return Array.isArray(e)?this.index=new(Yf(e)?wh:bh)(e,1):this.index=e,this}setIndirect(e,t=0){return this.indirect=e,this.indirectOffset=t,this}getIndirect(){return this.indirect}getAttribute(e){return this.attributes[e]}setAttribute(e,t){return this.attributes[e]=t,this}deleteAttribute(e){return delete this.attributes[e],this}hasAttribute(e){return this.attributes[e]!==void 0}addGroup(e,t,i=0){this.groups.push({start:e,count:t,materialIndex:i})}clearGroups(){this.groups=[]}setDrawRange(e,t){this.drawRange.start=e,this.drawRange.count=t}applyMatrix4(e){const t=this.attributes.position;t!==void 0&&(t.applyMatrix4(e),t.needsUpdate=!0);const i=this.attributes.normal;if(i!==void 0){const s=new De().getNormalMatrix(e);i.applyNormalMatrix(s),i.needsUpdate=!0}const r=this.attributes.tangent;return r!==void 0&&(r.transformDirection(e),r.needsUpdate=!0),this.boundingBox!==null&&this.computeBoundingBox(),this.boundingSphere!==null&&this.computeBoundingSphere(),this._transformed=!0,this}applyQuaternion(e){return Qt.makeRotationFromQuaternion(e),this.applyMatrix4(Qt),this}rotateX(e){return Qt.makeRotationX(e),this.applyMatrix4(Qt),this}rotateY(e){return Qt.makeRotationY(e),this.applyMatrix4(Qt),this}rotateZ(e){return Qt.makeRotationZ(e),this.applyMatrix4(Qt),this}translate(e,t,i){return Qt.makeTranslation(e,t,i),this.applyMatrix4(Qt),this}scale(e,t,i){return Qt.makeScale(e,t,i),this.applyMatrix4(Qt),this}lookAt(e){return ma.lookAt(e),ma.updateMatrix(),this.applyMatrix4(ma.matrix),this}center(){return this.computeBoundingBox(),this.boundingBox.getCenter(Ci).negate(),this.translate(Ci.x,Ci.y,Ci.z),this}setFromPoints(e){const t=this.getAttribute("position");if(t===void 0){const i=[];for(let r=0,s=e.length;r<s;r++){const a=e[r];i.push(a.x,a.y,a.z||0)}this.setAttribute("position",new Nn(i,3))}else{const i=Math.min(e.length,t.count);for(let r=0;r<i;r++){const s=e[r];t.setXYZ(r,s.x,s.y,s.z||0)}e.length>t.count&&Pe("BufferGeometry: Buffer size too small for points data. Use .dispose() and create a new geometry."),t.needsUpdate=!0}return this}computeBoundingBox(){this.boundingBox===null&&(this.boundingBox=new fr);const e=this.attributes.position,t=this.morphAttributes.position;if(e&&e.isGLBufferAttribute){qe("BufferGeometry.computeBoundingBox(): GLBufferAttribute requires a manual bounding box.",this),this.boundingBox.set(new V(-1/0,-1/0,-1/0),new V(1/0,1/0,1/0));return}if(e!==void 0){if(this.boundingBox.setFromBufferAttribute(e),t)for(let i=0,r=t.length;i<r;i++){const s=t[i];Wt.setFromBufferAttribute(s),this.morphTargetsRelative?(bt.addVectors(this.boundingBox.min,Wt.min),this.boundingBox.expandByPoint(bt),bt.addVectors(this.boundingBox.max,Wt.max),this.boundingBox.expandByPoint(bt)):(this.boundingBox.expandByPoint(Wt.min),this.boundingBox.expandByPoint(Wt.max))}}else this.boundingBox.makeEmpty();(isNaN(this.boundingBox.min.x)||isNaN(this.boundingBox.min.y)||isNaN(this.boundingBox.min.z))&&qe('BufferGeometry.computeBoundingBox(): Computed min/max have NaN values. The "position" attribute is likely to have NaN values.',this)}computeBoundingSphere(){this.boundingSphere===null&&(this.boundingSphere=new rl);const e=this.attributes.position,t=this.morphAttributes.position;if(e&&e.isGLBufferAttribute){qe("BufferGeometry.computeBoundingSphere(): GLBufferAttribute requires a manual bounding sphere.",this),this.boundingSphere.set(new V,1/0);return}if(e){const i=this.boundingSphere.center;if(Wt.setFromBufferAttribute(e),t)for(let s=0,a=t.length;s<a;s++){const o=t[s];Ki.setFromBufferAttribute(o),this.morphTargetsRelative?(bt.addVectors(Wt.min,Ki.min),Wt.expandByPoint(bt),bt.addVectors(Wt.max,Ki.max),Wt.expandByPoint(bt)):(Wt.expandByPoint(Ki.min),Wt.expandByPoint(Ki.max))}Wt.getCenter(i);let r=0;for(let s=0,a=e.count;s<a;s++)bt.fromBufferAttribute(e,s),r=Math.max(r,i.distanceToSquared(bt));if(t)for(let s=0,a=t.length;s<a;s++){const o=t[s],l=this.morphTargetsRelative;for(let c=0,u=o.count;c<u;c++)bt.fromBufferAttribute(o,c),l&&(Ci.fromBufferAttribute(e,c),bt.add(Ci)),r=Math.max(r,i.distanceToSquared(bt))}this.boundingSphere.radius=Math.sqrt(r),isNaN(this.boundingSphere.radius)&&qe('BufferGeometry.computeBoundingSphere(): Computed radius is NaN. The "position" attribute is likely to have NaN values.',this)}}computeTangents(){const e=this.index,t=this.attributes;if(e===null||t.position===void 0||t.normal===void 0||t.uv===void 0){qe("BufferGeometry: .computeTangents() failed. Missing required attributes (index, position, normal or uv)");return}const i=t.position,r=t.normal,s=t.uv;let a=this.getAttribute("tangent");(a===void 0||a.count!==i.count)&&(a=new Mn(new Float32Array(4*i.count),4),this.setAttribute("tangent",a));const o=[],l=[],c=new Uint8Array(i.count);for(let U=0;U<i.count;U++)o[U]=new V,l[U]=new V;const u=new V,p=new V,h=new V,d=new Xe,_=new Xe,S=new Xe,m=new V,f=new V;function v(U,P,D){c[U]=c[P]=c[D]=1,u.fromBufferAttribute(i,U),p.fromBufferAttribute(i,P),h.fromBufferAttribute(i,D),d.fromBufferAttribute(s,U),_.fromBufferAttribute(s,P),S.fromBufferAttribute(s,D),p.sub(u),h.sub(u),_.sub(d),S.sub(d);const G=1/(_.x*S.y-S.x*_.y);isFinite(G)&&(m.copy(p).multiplyScalar(S.y).addScaledVector(h,-_.y).multiplyScalar(G),f.copy(h).multiplyScalar(_.x).addScaledVector(p,-S.x).multiplyScalar(G),o[U].add(m),o[P].add(m),o[D].add(m),l[U].add(f),l[P].add(f),l[D].add(f))}let w=this.groups;w.length===0&&(w=[{start:0,count:e.count}]);for(let U=0,P=w.length;U<P;++U){const D=w[U],G=D.start,W=D.count;for(let I=G,F=G+W;I<F;I+=3)v(e.getX(I+0),e.getX(I+1),e.getX(I+2))}const y=new V,A=new V,R=new V,g=new V;function E(U){R.fromBufferAttribute(r,U),g.copy(R);const P=o[U];y.copy(P),y.sub(R.multiplyScalar(R.dot(P))).normalize(),A.crossVectors(g,P);const G=A.dot(l[U])<0?-1:1;a.setXYZW(U,y.x,y.y,y.z,G)}for(let U=0,P=i.count;U<P;++U)c[U]&&E(U);this._transformed=!0}computeVertexNormals(){const e=this.index,t=this.getAttribute("position");if(t!==void 0){let i=this.getAttribute("normal");if(i===void 0||i.count!==t.count)i=new Mn(new Float32Array(t.count*3),3),this.setAttribute("normal",i);else for(let h=0,d=i.count;h<d;h++)i.setXYZ(h,0,0,0);const r=new V,s=new V,a=new V,o=new V,l=new V,c=new V,u=new V,p=new V;if(e)for(let h=0,d=e.count;h<d;h+=3){const _=e.getX(h+0),S=e.getX(h+1),m=e.getX(h+2);r.fromBufferAttribute(t,_),s.fromBufferAttribute(t,S),a.fromBufferAttribute(t,m),u.subVectors(a,s),p.subVectors(r,s),u.cross(p),o.fromBufferAttribute(i,_),l.fromBufferAttribute(i,S),c.fromBufferAttribute(i,m),o.add(u),l.add(u),c.add(u),i.setXYZ(_,o.x,o.y,o.z),i.setXYZ(S,l.x,l.y,l.z),i.setXYZ(m,c.x,c.y,c.z)}else for(let h=0,d=t.count;h<d;h+=3)r.fromBufferAttribute(t,h+0),s.fromBufferAttribute(t,h+1),a.fromBufferAttribute(t,h+2),u.subVectors(a,s),p.subVectors(r,s),u.cross(p),i.setXYZ(h+0,u.x,u.y,u.z),i.setXYZ(h+1,u.x,u.y,u.z),i.setXYZ(h+2,u.x,u.y,u.z);this.normalizeNormals(),i.needsUpdate=!0}}normalizeNormals(){const e=this.attributes.normal;for(let t=0,i=e.count;t<i;t++)bt.fromBufferAttribute(e,t),bt.normalize(),e.setXYZ(t,bt.x,bt.y,bt.z)}toNonIndexed(){function e(o,l){const c=o.array,u=o.itemSize,p=o.normalized,h=new c.constructor(l.length*u);let d=0,_=0;for(let S=0,m=l.length;S<m;S++){o.isInterleavedBufferAttribute?d=l[S]*o.data.stride+o.offset:d=l[S]*u;for(let f=0;f<u;f++)h[_++]=c[d++]}return new Mn(h,u,p)}if(this.index===null)return Pe("BufferGeometry.toNonIndexed(): BufferGeometry is already non-indexed."),this;const t=new On,i=this.index.array,r=this.attributes;for(const o in r){const l=r[o],c=e(l,i);t.setAttribute(o,c)}const s=this.morphAttributes;for(const o in s){const l=[],c=s[o];for(let u=0,p=c.length;u<p;u++){const h=c[u],d=e(h,i);l.push(d)}t.morphAttributes[o]=l}t.morphTargetsRelative=this.morphTargetsRelative;const a=this.groups;for(let o=0,l=a.length;o<l;o++){const c=a[o];t.addGroup(c.start,c.count,c.materialIndex)}return t}toJSON(){const e={metadata:{version:4.7,type:"BufferGeometry",generator:"BufferGeometry.toJSON"}};if(e.uuid=this.uuid,e.type=this.parameters!==void 0&&this._transformed===!0?"BufferGeometry":this.type,e.name=this.name,Object.keys(this.userData).length>0&&(e.userData=this.userData),this.parameters!==void 0&&this._transformed!==!0){const l=this.parameters;for(const c in l)l[c]!==void 0&&(e[c]=l[c]);return e}e.data={attributes:{}};const t=this.index;t!==null&&(e.data.index={type:t.array.constructor.name,array:Array.prototype.slice.call(t.array)});const i=this.attributes;for(const l in i){const c=i[l];e.data.attributes[l]=c.toJSON(e.data)}const r={};let s=!1;for(const l in this.morphAttributes){const c=this.morphAttributes[l],u=[];for(let p=0,h=c.length;p<h;p++){const d=c[p];u.push(d.toJSON(e.data))}u.length>0&&(r[l]=u,s=!0)}s&&(e.data.morphAttributes=r,e.data.morphTargetsRelative=this.morphTargetsRelative);const a=this.groups;a.length>0&&(e.data.groups=JSON.parse(JSON.stringify(a)));const o=this.boundingSphere;return o!==null&&(e.data.boundingSphere=o.toJSON()),e}clone(){return new this.constructor().copy(this)}copy(e){this.index=null,this.attributes={},this.morphAttributes={},this.groups=[],this.boundingBox=null,this.boundingSphere=null;const t={};this.name=e.name;const i=e.index;i!==null&&this.setIndex(i.clone());const r=e.attributes;for(const c in r){const u=r[c];this.setAttribute(c,u.clone(t))}const s=e.morphAttributes;for(const c in s){const u=[],p=s[c];for(let h=0,d=p.length;h<d;h++)u.push(p[h].clone(t));this.morphAttributes[c]=u}this.morphTargetsRelative=e.morphTargetsRelative;const a=e.groups;for(let c=0,u=a.length;c<u;c++){const p=a[c];this.addGroup(p.start,p.count,p.materialIndex)}const o=e.boundingBox;o!==null&&(this.boundingBox=o.clone());const l=e.boundingSphere;return l!==null&&(this.boundingSphere=l.clone()),this.drawRange.start=e.drawRange.start,this.drawRange.count=e.drawRange.count,this.userData=e.userData,this._transformed=e._transformed,this}dispose(){this.dispatchEvent({type:"dispose"})}}const ga=new V,yp=new V,Ep=new De;class $n{constructor(e=new V(1,0,0),t=0){this.isPlane=!0,this.normal=e,this.constant=t}set(e,t){return this.normal.copy(e),this.constant=t,this}setComponents(e,t,i,r){return this.normal.set(e,t,i),this.constant=r,this}setFromNormalAndCoplanarPoint(e,t){return this.normal.copy(e),this.constant=-t.dot(this.normal),this}setFromCoplanarPoints(e,t,i){const r=ga.subVectors(i,t).cross(yp.subVectors(e,t)).normalize();return this.setFromNormalAndCoplanarPoint(r,e),this}copy(e){return this.normal.copy(e.normal),this.constant=e.constant,this}normalize(){const e=1/this.normal.length();return this.normal.multiplyScalar(e),this.constant*=e,this}negate(){return this.constant*=-1,this.normal.negate(),this}distanceToPoint(e){return this.normal.dot(e)+this.constant}distanceToSphere(e){return this.distanceToPoint(e.center)-e.radius}projectPoint(e,t){return t.copy(e).addScaledVector(this.normal,-this.distanceToPoint(e))}intersectLine(e,t,i=!0){const r=e.delta(ga),s=this.normal.dot(r);if(s===0)return this.distanceToPoint(e.start)===0?t.copy(e.start):null;const a=-(e.start.dot(this.normal)+this.constant)/s;return i===!0&&(a<0||a>1)?null:t.copy(e.start).addScaledVector(r,a)}intersectsLine(e){const t=this.distanceToPoint(e.start),i=this.distanceToPoint(e.end);return t<0&&i>0||i<0&&t>0}intersectsBox(e){return e.intersectsPlane(this)}intersectsSphere(e){return e.intersectsPlane(this)}coplanarPoint(e){return e.copy(this.normal).multiplyScalar(-this.constant)}applyMatrix4(e,t){const i=t||Ep.getNormalMatrix(e),r=this.coplanarPoint(ga).applyMatrix4(e),s=this.normal.applyMatrix3(i).normalize();return this.constant=-r.dot(s),this}translate(e){return this.constant-=e.dot(this.normal),this}equals(e){return e.normal.equals(this.normal)&&e.constant===this.constant}clone(){return new this.constructor().copy(this)}toJSON(){return{normal:this.normal.toArray(),constant:this.constant}}fromJSON(e){return this.normal.fromArray(e.normal),this.constant=e.constant,this}}let bp=0;class Ns extends xi{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:bp++}),this.uuid=dr(),this.name="",this.type="Material",this.blending=ir,this.side=mi,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=eh,this.blendDst=th,this.blendEquation=Di,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new Ye(0,0,0),this.blendAlpha=0,this.depthFunc=ar,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=Gf,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=Zs,this.stencilZFail=Zs,this.stencilZPass=Zs,this.stencilWrite=!1,this.clippingPlanes=null,this.clipIntersection=!1,this.clipShadows=!1,this.shadowSide=null,this.colorWrite=!0,this.precision=null,this.polygonOffset=!1,this.polygonOffsetFactor=0,this.polygonOffsetUnits=0,this.dithering=!1,this.alphaToCoverage=!1,this.premultipliedAlpha=!1,this.forceSinglePass=!1,this.allowOverride=!0,this.visible=!0,this.toneMapped=!0,this.userData={},this.version=0,this._alphaTest=0}get alphaTest(){return this._alphaTest}set alphaTest(e){this._alphaTest>0!=e>0&&this.version++,this._alphaTest=e}onBeforeRender(){}onBeforeCompile(){}customProgramCacheKey(){return this.onBeforeCompile.toString()}setValues(e){if(e!==void 0)for(const t in e){const i=e[t];if(i===void 0){Pe(`Material: parameter '${t}' has value of undefined.`);continue}const r=this[t];if(r===void 0){Pe(`Material: '${t}' is not a property of THREE.${this.type}.`);continue}r&&r.isColor?r.set(i):r&&r.isVector2&&i&&i.isVector2||r&&r.isEuler&&i&&i.isEuler||r&&r.isVector3&&i&&i.isVector3?r.copy(i):this[t]=i}}toJSON(e){const t=e===void 0||typeof e=="string";t&&(e={textures:{},images:{}});const i={metadata:{version:4.7,type:"Material",generator:"Material.toJSON"}};i.uuid=this.uuid,i.type=this.type,i.blending=this.blending,i.side=this.side,i.shadowSide=this.shadowSide,i.vertexColors=this.vertexColors,i.opacity=this.opacity,i.transparent=this.transparent,i.blendSrc=this.blendSrc,i.blendDst=this.blendDst,i.blendEquation=this.blendEquation,i.blendSrcAlpha=this.blendSrcAlpha,i.blendDstAlpha=this.blendDstAlpha,i.blendEquationAlpha=this.blendEquationAlpha,i.blendColor=this.blendColor.getHex(),i.blendAlpha=this.blendAlpha,i.depthFunc=this.depthFunc,i.depthTest=this.depthTest,i.depthWrite=this.depthWrite,i.colorWrite=this.colorWrite,i.clipIntersection=this.clipIntersection,i.clipShadows=this.clipShadows,i.stencilWriteMask=this.stencilWriteMask,i.stencilFunc=this.stencilFunc,i.stencilRef=this.stencilRef,i.stencilFuncMask=this.stencilFuncMask,i.stencilFail=this.stencilFail,i.stencilZFail=this.stencilZFail,i.stencilZPass=this.stencilZPass,i.stencilWrite=this.stencilWrite,i.polygonOffset=this.polygonOffset,i.polygonOffsetFactor=this.polygonOffsetFactor,i.polygonOffsetUnits=this.polygonOffsetUnits,i.dithering=this.dithering,i.alphaTest=this.alphaTest,i.alphaHash=this.alphaHash,i.alphaToCoverage=this.alphaToCoverage,i.premultipliedAlpha=this.premultipliedAlpha,i.forceSinglePass=this.forceSinglePass,i.allowOverride=this.allowOverride,i.visible=this.visible,i.toneMapped=this.toneMapped,i.name=this.name,this.color&&this.color.isColor&&(i.color=this.color.getHex()),this.roughness!==void 0&&(i.roughness=this.roughness),this.metalness!==void 0&&(i.metalness=this.metalness),this.sheen!==void 0&&(i.sheen=this.sheen),this.sheenColor&&this.sheenColor.isColor&&(i.sheenColor=this.sheenColor.getHex()),this.sheenRoughness!==void 0&&(i.sheenRoughness=this.sheenRoughness),this.emissive&&this.emissive.isColor&&(i.emissive=this.emissive.getHex()),this.emissiveIntensity!==void 0&&(i.emissiveIntensity=this.emissiveIntensity),this.specular&&this.specular.isColor&&(i.specular=this.specular.getHex()),this.specularIntensity!==void 0&&(i.specularIntensity=this.specularIntensity),this.specularColor&&this.specularColor.isColor&&(i.specularColor=this.specularColor.getHex()),this.shininess!==void 0&&(i.shininess=this.shininess),this.clearcoat!==void 0&&(i.clearcoat=this.clearcoat),this.clearcoatRoughness!==void 0&&(i.clearcoatRoughness=this.clearcoatRoughness),this.diffuseRoughness!==void 0&&(i.diffuseRoughness=this.diffuseRoughness),this.diffuseRoughnessMap&&this.diffuseRoughnessMap.isTexture&&(i.diffuseRoughnessMap=this.diffuseRoughnessMap.toJSON(e).uuid),this.clearcoatMap&&this.clearcoatMap.isTexture&&(i.clearcoatMap=this.clearcoatMap.toJSON(e).uuid),this.clearcoatRoughnessMap&&this.clearcoatRoughnessMap.isTexture&&(i.clearcoatRoughnessMap=this.clearcoatRoughnessMap.toJSON(e).uuid),this.clearcoatNormalMap&&this.clearcoatNormalMap.isTexture&&(i.clearcoatNormalMap=this.clearcoatNormalMap.toJSON(e).uuid,i.clearcoatNormalScale=this.clearcoatNormalScale.toArray()),this.sheenColorMap&&this.sheenColorMap.isTexture&&(i.sheenColorMap=this.sheenColorMap.toJSON(e).uuid),this.sheenRoughnessMap&&this.sheenRoughnessMap.isTexture&&(i.sheenRoughnessMap=this.sheenRoughnessMap.toJSON(e).uuid),this.dispersion!==void 0&&(i.dispersion=this.dispersion),this.retroreflectivity!==void 0&&(i.retroreflectivity=this.retroreflectivity),this.iridescence!==void 0&&(i.iridescence=this.iridescence),this.iridescenceIOR!==void 0&&(i.iridescenceIOR=this.iridescenceIOR),this.iridescenceThicknessMinimum!==void 0&&(i.iridescenceThicknessMinimum=this.iridescenceThicknessMinimum),this.iridescenceThicknessMaximum!==void 0&&(i.iridescenceThicknessMaximum=this.iridescenceThicknessMaximum),this.iridescenceMap&&this.iridescenceMap.isTexture&&(i.iridescenceMap=this.iridescenceMap.toJSON(e).uuid),this.iridescenceThicknessMap&&this.iridescenceThicknessMap.isTexture&&(i.iridescenceThicknessMap=this.iridescenceThicknessMap.toJSON(e).uuid),this.anisotropy!==void 0&&(i.anisotropy=this.anisotropy),this.anisotropyRotation!==void 0&&(i.anisotropyRotation=this.anisotropyRotation),this.anisotropyMap&&this.anisotropyMap.isTexture&&(i.anisotropyMap=this.anisotropyMap.toJSON(e).uuid),this.map&&this.map.isTexture&&(i.map=this.map.toJSON(e).uuid),this.matcap&&this.matcap.isTexture&&(i.matcap=this.matcap.toJSON(e).uuid),this.alphaMap&&this.alphaMap.isTexture&&(i.alphaMap=this.alphaMap.toJSON(e).uuid),this.lightMap&&this.lightMap.isTexture&&(i.lightMap=this.lightMap.toJSON(e).uuid,i.lightMapIntensity=this.lightMapIntensity),this.aoMap&&this.aoMap.isTexture&&(i.aoMap=this.aoMap.toJSON(e).uuid,i.aoMapIntensity=this.aoMapIntensity),this.bumpMap&&this.bumpMap.isTexture&&(i.bumpMap=this.bumpMap.toJSON(e).uuid,i.bumpScale=this.bumpScale),this.normalMap&&this.normalMap.isTexture&&(i.normalMap=this.normalMap.toJSON(e).uuid,i.normalMapType=this.normalMapType,i.normalScale=this.normalScale.toArray()),this.displacementMap&&this.displacementMap.isTexture&&(i.displacementMap=this.displacementMap.toJSON(e).uuid,i.displacementScale=this.displacementScale,i.displacementBias=this.displacementBias),this.roughnessMap&&this.roughnessMap.isTexture&&(i.roughnessMap=this.roughnessMap.toJSON(e).uuid),this.metalnessMap&&this.metalnessMap.isTexture&&(i.metalnessMap=this.metalnessMap.toJSON(e).uuid),this.emissiveMap&&this.emissiveMap.isTexture&&(i.emissiveMap=this.emissiveMap.toJSON(e).uuid),this.specularMap&&this.specularMap.isTexture&&(i.specularMap=this.specularMap.toJSON(e).uuid),this.specularIntensityMap&&this.specularIntensityMap.isTexture&&(i.specularIntensityMap=this.specularIntensityMap.toJSON(e).uuid),this.specularColorMap&&this.specularColorMap.isTexture&&(i.specularColorMap=this.specularColorMap.toJSON(e).uuid),this.envMap&&this.envMap.isTexture&&(i.envMap=this.envMap.toJSON(e).uuid,this.combine!==void 0&&(i.combine=this.combine)),this.envMapRotation!==void 0&&(i.envMapRotation=this.envMapRotation.toArray()),this.envMapIntensity!==void 0&&(i.envMapIntensity=this.envMapIntensity),this.reflectivity!==void 0&&(i.reflectivity=this.reflectivity),this.refractionRatio!==void 0&&(i.refractionRatio=this.refractionRatio),this.gradientMap&&this.gradientMap.isTexture&&(i.gradientMap=this.gradientMap.toJSON(e).uuid),this.transmission!==void 0&&(i.transmission=this.transmission),this.transmissionMap&&this.transmissionMap.isTexture&&(i.transmissionMap=this.transmissionMap.toJSON(e).uuid),this.thickness!==void 0&&(i.thickness=this.thickness),this.thicknessMap&&this.thicknessMap.isTexture&&(i.thicknessMap=this.thicknessMap.toJSON(e).uuid),this.attenuationDistance!==void 0&&(i.attenuationDistance=this.attenuationDistance),this.attenuationColor!==void 0&&(i.attenuationColor=this.attenuationColor.getHex()),this.size!==void 0&&(i.size=this.size),this.sizeAttenuation!==void 0&&(i.sizeAttenuation=this.sizeAttenuation),Array.isArray(this.clippingPlanes)&&this.clippingPlanes.length>0&&(i.clippingPlanes=this.clippingPlanes.map(s=>s.toJSON())),this.rotation!==void 0&&(i.rotation=this.rotation),this.depthPacking!==void 0&&(i.depthPacking=this.depthPacking),this.linewidth!==void 0&&(i.linewidth=this.linewidth),this.linecap!==void 0&&(i.linecap=this.linecap),this.linejoin!==void 0&&(i.linejoin=this.linejoin),this.dashSize!==void 0&&(i.dashSize=this.dashSize),this.gapSize!==void 0&&(i.gapSize=this.gapSize),this.scale!==void 0&&(i.scale=this.scale),this.wireframe!==void 0&&(i.wireframe=this.wireframe),this.wireframeLinewidth!==void 0&&(i.wireframeLinewidth=this.wireframeLinewidth),this.wireframeLinecap!==void 0&&(i.wireframeLinecap=this.wireframeLinecap),this.wireframeLinejoin!==void 0&&(i.wireframeLinejoin=this.wireframeLinejoin),this.flatShading!==void 0&&(i.flatShading=this.flatShading),this.fog!==void 0&&(i.fog=this.fog),Object.keys(this.userData).length>0&&(i.userData=this.userData);function r(s){const a=[];for(const o in s){const l=s[o];delete l.metadata,a.push(l)}return a}if(t){const s=r(e.textures),a=r(e.images);s.length>0&&(i.textures=s),a.length>0&&(i.images=a)}return i}fromJSON(e,t){if(e.uuid!==void 0&&(this.uuid=e.uuid),e.name!==void 0&&(this.name=e.name),e.color!==void 0&&this.color!==void 0&&this.color.setHex(e.color),e.roughness!==void 0&&(this.roughness=e.roughness),e.metalness!==void 0&&(this.metalness=e.metalness),e.sheen!==void 0&&(this.sheen=e.sheen),e.sheenColor!==void 0&&(this.sheenColor=new Ye().setHex(e.sheenColor)),e.sheenRoughness!==void 0&&(this.sheenRoughness=e.sheenRoughness),e.emissive!==void 0&&this.emissive!==void 0&&this.emissive.setHex(e.emissive),e.specular!==void 0&&this.specular!==void 0&&this.specular.setHex(e.specular),e.specularIntensity!==void 0&&(this.specularIntensity=e.specularIntensity),e.specularColor!==void 0&&this.specularColor!==void 0&&this.specularColor.setHex(e.specularColor),e.shininess!==void 0&&(this.shininess=e.shininess),e.clearcoat!==void 0&&(this.clearcoat=e.clearcoat),e.clearcoatRoughness!==void 0&&(this.clearcoatRoughness=e.clearcoatRoughness),e.diffuseRoughness!==void 0&&(this.diffuseRoughness=e.diffuseRoughness),e.dispersion!==void 0&&(this.dispersion=e.dispersion),e.retroreflectivity!==void 0&&(this.retroreflectivity=e.retroreflectivity),e.iridescence!==void 0&&(this.iridescence=e.iridescence),e.iridescenceIOR!==void 0&&(this.iridescenceIOR=e.iridescenceIOR),e.iridescenceThicknessMinimum!==void 0&&(this.iridescenceThicknessMinimum=e.iridescenceThicknessMinimum),e.iridescenceThicknessMaximum!==void 0&&(this.iridescenceThicknessMaximum=e.iridescenceThicknessMaximum),e.iridescenceThicknessRange!==void 0&&(this.iridescenceThicknessMinimum=e.iridescenceThicknessRange[0],this.iridescenceThicknessMaximum=e.iridescenceThicknessRange[1]),e.transmission!==void 0&&(this.transmission=e.transmission),e.thickness!==void 0&&(this.thickness=e.thickness),e.attenuationDistance!==void 0&&(this.attenuationDistance=e.attenuationDistance),e.attenuationColor!==void 0&&this.attenuationColor!==void 0&&this.attenuationColor.setHex(e.attenuationColor),e.anisotropy!==void 0&&(this.anisotropy=e.anisotropy),e.anisotropyRotation!==void 0&&(this.anisotropyRotation=e.anisotropyRotation),e.fog!==void 0&&(this.fog=e.fog),e.flatShading!==void 0&&(this.flatShading=e.flatShading),e.blending!==void 0&&(this.blending=e.blending),e.combine!==void 0&&(this.combine=e.combine),e.side!==void 0&&(this.side=e.side),e.shadowSide!==void 0&&(this.shadowSide=e.shadowSide),e.opacity!==void 0&&(this.opacity=e.opacity),e.transparent!==void 0&&(this.transparent=e.transparent),e.alphaTest!==void 0&&(this.alphaTest=e.alphaTest),e.alphaHash!==void 0&&(this.alphaHash=e.alphaHash),e.depthFunc!==void 0&&(this.depthFunc=e.depthFunc),e.depthTest!==void 0&&(this.depthTest=e.depthTest),e.depthWrite!==void 0&&(this.depthWrite=e.depthWrite),e.colorWrite!==void 0&&(this.colorWrite=e.colorWrite),e.clippingPlanes!==void 0&&(this.clippingPlanes=e.clippingPlanes.map(i=>new $n().fromJSON(i))),e.clipIntersection!==void 0&&(this.clipIntersection=e.clipIntersection),e.clipShadows!==void 0&&(this.clipShadows=e.clipShadows),e.depthPacking!==void 0&&(this.depthPacking=e.depthPacking),e.blendSrc!==void 0&&(this.blendSrc=e.blendSrc),e.blendDst!==void 0&&(this.blendDst=e.blendDst),e.blendEquation!==void 0&&(this.blendEquation=e.blendEquation),e.blendSrcAlpha!==void 0&&(this.blendSrcAlpha=e.blendSrcAlpha),e.blendDstAlpha!==void 0&&(this.blendDstAlpha=e.blendDstAlpha),e.blendEquationAlpha!==void 0&&(this.blendEquationAlpha=e.blendEquationAlpha),e.blendColor!==void 0&&this.blendColor!==void 0&&this.blendColor.setHex(e.blendColor),e.blendAlpha!==void 0&&(this.blendAlpha=e.blendAlpha),e.stencilWriteMask!==void 0&&(this.stencilWriteMask=e.stencilWriteMask),e.stencilFunc!==void 0&&(this.stencilFunc=e.stencilFunc),e.stencilRef!==void 0&&(this.stencilRef=e.stencilRef),e.stencilFuncMask!==void 0&&(this.stencilFuncMask=e.stencilFuncMask),e.stencilFail!==void 0&&(this.stencilFail=e.stencilFail),e.stencilZFail!==void 0&&(this.stencilZFail=e.stencilZFail),e.stencilZPass!==void 0&&(this.stencilZPass=e.stencilZPass),e.stencilWrite!==void 0&&(this.stencilWrite=e.stencilWrite),e.wireframe!==void 0&&(this.wireframe=e.wireframe),e.wireframeLinewidth!==void 0&&(this.wireframeLinewidth=e.wireframeLinewidth),e.wireframeLinecap!==void 0&&(this.wireframeLinecap=e.wireframeLinecap),e.wireframeLinejoin!==void 0&&(this.wireframeLinejoin=e.wireframeLinejoin),e.rotation!==void 0&&(this.rotation=e.rotation),e.linewidth!==void 0&&(this.linewidth=e.linewidth),e.linecap!==void 0&&(this.linecap=e.linecap),e.linejoin!==void 0&&(this.linejoin=e.linejoin),e.dashSize!==void 0&&(this.dashSize=e.dashSize),e.gapSize!==void 0&&(this.gapSize=e.gapSize),e.scale!==void 0&&(this.scale=e.scale),e.polygonOffset!==void 0&&(this.polygonOffset=e.polygonOffset),e.polygonOffsetFactor!==void 0&&(this.polygonOffsetFactor=e.polygonOffsetFactor),e.polygonOffsetUnits!==void 0&&(this.polygonOffsetUnits=e.polygonOffsetUnits),e.dithering!==void 0&&(this.dithering=e.dithering),e.alphaToCoverage!==void 0&&(this.alphaToCoverage=e.alphaToCoverage),e.premultipliedAlpha!==void 0&&(this.premultipliedAlpha=e.premultipliedAlpha),e.forceSinglePass!==void 0&&(this.forceSinglePass=e.forceSinglePass),e.allowOverride!==void 0&&(this.allowOverride=e.allowOverride),e.visible!==void 0&&(this.visible=e.visible),e.toneMapped!==void 0&&(this.toneMapped=e.toneMapped),e.userData!==void 0&&(this.userData=e.userData),e.vertexColors!==void 0&&(typeof e.vertexColors=="number"?this.vertexColors=e.vertexColors>0:this.vertexColors=e.vertexColors),e.size!==void 0&&(this.size=e.size),e.sizeAttenuation!==void 0&&(this.sizeAttenuation=e.sizeAttenuation),e.map!==void 0&&(this.map=t[e.map]||null),e.matcap!==void 0&&(this.matcap=t[e.matcap]||null),e.alphaMap!==void 0&&(this.alphaMap=t[e.alphaMap]||null),e.bumpMap!==void 0&&(this.bumpMap=t[e.bumpMap]||null),e.bumpScale!==void 0&&(this.bumpScale=e.bumpScale),e.normalMap!==void 0&&(this.normalMap=t[e.normalMap]||null),e.normalMapType!==void 0&&(this.normalMapType=e.normalMapType),e.normalScale!==void 0){let i=e.normalScale;Array.isArray(i)===!1&&(i=[i,i]),this.normalScale=new Xe().fromArray(i)}return e.displacementMap!==void 0&&(this.displacementMap=t[e.displacementMap]||null),e.displacementScale!==void 0&&(this.displacementScale=e.displacementScale),e.displacementBias!==void 0&&(this.displacementBias=e.displacementBias),e.roughnessMap!==void 0&&(this.roughnessMap=t[e.roughnessMap]||null),e.metalnessMap!==void 0&&(this.metalnessMap=t[e.metalnessMap]||null),e.emissiveMap!==void 0&&(this.emissiveMap=t[e.emissiveMap]||null),e.emissiveIntensity!==void 0&&(this.emissiveIntensity=e.emissiveIntensity),e.specularMap!==void 0&&(this.specularMap=t[e.specularMap]||null),e.specularIntensityMap!==void 0&&(this.specularIntensityMap=t[e.specularIntensityMap]||null),e.specularColorMap!==void 0&&(this.specularColorMap=t[e.specularColorMap]||null),e.envMap!==void 0&&(this.envMap=t[e.envMap]||null),e.envMapRotation!==void 0&&this.envMapRotation.fromArray(e.envMapRotation),e.envMapIntensity!==void 0&&(this.envMapIntensity=e.envMapIntensity),e.reflectivity!==void 0&&(this.reflectivity=e.reflectivity),e.refractionRatio!==void 0&&(this.refractionRatio=e.refractionRatio),e.lightMap!==void 0&&(this.lightMap=t[e.lightMap]||null),e.lightMapIntensity!==void 0&&(this.lightMapIntensity=e.lightMapIntensity),e.aoMap!==void 0&&(this.aoMap=t[e.aoMap]||null),e.aoMapIntensity!==void 0&&(this.aoMapIntensity=e.aoMapIntensity),e.gradientMap!==void 0&&(this.gradientMap=t[e.gradientMap]||null),e.clearcoatMap!==void 0&&(this.clearcoatMap=t[e.clearcoatMap]||null),e.clearcoatRoughnessMap!==void 0&&(this.clearcoatRoughnessMap=t[e.clearcoatRoughnessMap]||null),e.clearcoatNormalMap!==void 0&&(this.clearcoatNormalMap=t[e.clearcoatNormalMap]||null),e.clearcoatNormalScale!==void 0&&(this.clearcoatNormalScale=new Xe().fromArray(e.clearcoatNormalScale)),e.diffuseRoughnessMap!==void 0&&(this.diffuseRoughnessMap=t[e.diffuseRoughnessMap]||null),e.iridescenceMap!==void 0&&(this.iridescenceMap=t[e.iridescenceMap]||null),e.iridescenceThicknessMap!==void 0&&(this.iridescenceThicknessMap=t[e.iridescenceThicknessMap]||null),e.transmissionMap!==void 0&&(this.transmissionMap=t[e.transmissionMap]||null),e.thicknessMap!==void 0&&(this.thicknessMap=t[e.thicknessMap]||null),e.anisotropyMap!==void 0&&(this.anisotropyMap=t[e.anisotropyMap]||null),e.sheenColorMap!==void 0&&(this.sheenColorMap=t[e.sheenColorMap]||null),e.sheenRoughnessMap!==void 0&&(this.sheenRoughnessMap=t[e.sheenRoughnessMap]||null),this}clone(){return new this.constructor().copy(this)}copy(e){this.name=e.name,this.blending=e.blending,this.side=e.side,this.vertexColors=e.vertexColors,this.opacity=e.opacity,this.transparent=e.transparent,this.blendSrc=e.blendSrc,this.blendDst=e.blendDst,this.blendEquation=e.blendEquation,this.blendSrcAlpha=e.blendSrcAlpha,this.blendDstAlpha=e.blendDstAlpha,this.blendEquationAlpha=e.blendEquationAlpha,this.blendColor.copy(e.blendColor),this.blendAlpha=e.blendAlpha,this.depthFunc=e.depthFunc,this.depthTest=e.depthTest,this.depthWrite=e.depthWrite,this.stencilWriteMask=e.stencilWriteMask,this.stencilFunc=e.stencilFunc,this.stencilRef=e.stencilRef,this.stencilFuncMask=e.stencilFuncMask,this.stencilFail=e.stencilFail,this.stencilZFail=e.stencilZFail,this.stencilZPass=e.stencilZPass,this.stencilWrite=e.stencilWrite;const t=e.clippingPlanes;let i=null;if(t!==null){const r=t.length;i=new Array(r);for(let s=0;s!==r;++s)i[s]=t[s].clone()}return this.clippingPlanes=i,this.clipIntersection=e.clipIntersection,this.clipShadows=e.clipShadows,this.shadowSide=e.shadowSide,this.colorWrite=e.colorWrite,this.precision=e.precision,this.polygonOffset=e.polygonOffset,this.polygonOffsetFactor=e.polygonOffsetFactor,this.polygonOffsetUnits=e.polygonOffsetUnits,this.dithering=e.dithering,this.alphaTest=e.alphaTest,this.alphaHash=e.alphaHash,this.alphaToCoverage=e.alphaToCoverage,this.premultipliedAlpha=e.premultipliedAlpha,this.forceSinglePass=e.forceSinglePass,this.allowOverride=e.allowOverride,this.visible=e.visible,this.toneMapped=e.toneMapped,this.userData=JSON.parse(JSON.stringify(e.userData)),this}dispose(){this.dispatchEvent({type:"dispose"})}set needsUpdate(e){e===!0&&this.version++}}const Rn=new V,_a=new V,Pr=new V,Lr=new V;class wp{constructor(e=new V,t=new V(0,0,-1)){this.origin=e,this.direction=t}set(e,t){return this.origin.copy(e),this.direction.copy(t),this}copy(e){return this.origin.copy(e.origin),this.direction.copy(e.direction),this}at(e,t){return t.copy(this.origin).addScaledVector(this.direction,e)}lookAt(e){return this.direction.copy(e).sub(this.origin).normalize(),this}recast(e){return this.origin.copy(this.at(e,Rn)),this}closestPointToPoint(e,t){t.subVectors(e,this.origin);const i=t.dot(this.direction);return i<0?t.copy(this.origin):t.copy(this.origin).addScaledVector(this.direction,i)}distanceToPoint(e){return Math.sqrt(this.distanceSqToPoint(e))}distanceSqToPoint(e){const t=Rn.subVectors(e,this.origin).dot(this.direction);return t<0?this.origin.distanceToSquared(e):(Rn.copy(this.origin).addScaledVector(this.direction,t),Rn.distanceToSquared(e))}distanceSqToSegment(e,t,i,r){_a.copy(e).add(t).multiplyScalar(.5),Pr.copy(t).sub(e).normalize(),Lr.copy(this.origin).sub(_a);const s=e.distanceTo(t)*.5,a=-this.direction.dot(Pr),o=Lr.dot(this.direction),l=-Lr.dot(Pr),c=Lr.lengthSq(),u=Math.abs(1-a*a);let p,h,d,_;if(u>0)if(p=a*l-o,h=a*o-l,_=s*u,p>=0)if(h>=-_)if(h<=_){const S=1/u;p*=S,h*=S,d=p*(p+a*h+2*o)+h*(a*p+h+2*l)+c}else h=s,p=Math.max(0,-(a*h+o)),d=-p*p+h*(h+2*l)+c;else h=-s,p=Math.max(0,-(a*h+o)),d=-p*p+h*(h+2*l)+c;else h<=-_?(p=Math.max(0,-(-a*s+o)),h=p>0?-s:Math.min(Math.max(-s,-l),s),d=-p*p+h*(h+2*l)+c):h<=_?(p=0,h=Math.min(Math.max(-s,-l),s),d=h*(h+2*l)+c):(p=Math.max(0,-(a*s+o)),h=p>0?s:Math.min(Math.max(-s,-l),s),d=-p*p+h*(h+2*l)+c);else h=a>0?-s:s,p=Math.max(0,-(a*h+o)),d=-p*p+h*(h+2*l)+c;return i&&i.copy(this.origin).addScaledVector(this.direction,p),r&&r.copy(_a).addScaledVector(Pr,h),d}intersectSphere(e,t){if(e.radius<0)return null;Rn.subVectors(e.center,this.origin);const i=Rn.dot(this.direction),r=Rn.dot(Rn)-i*i,s=e.radius*e.radius;if(r>s)return null;const a=Math.sqrt(s-r),o=i-a,l=i+a;return l<0?null:o<0?this.at(l,t):this.at(o,t)}intersectsSphere(e){return e.radius<0?!1:this.distanceSqToPoint(e.center)<=e.radius*e.radius}distanceToPlane(e){const t=e.normal.dot(this.direction);if(t===0)return e.distanceToPoint(this.origin)===0?0:null;const i=-(this.origin.dot(e.normal)+e.constant)/t;return i>=0?i:null}intersectPlane(e,t){const i=this.distanceToPlane(e);return i===null?null:this.at(i,t)}intersectsPlane(e){const t=e.distanceToPoint(this.origin);return t===0||e.normal.dot(this.direction)*t<0}intersectBox(e,t){let i,r,s,a,o,l;const c=1/this.direction.x,u=1/this.direction.y,p=1/this.direction.z,h=this.origin;return c>=0?(i=(e.min.x-h.x)*c,r=(e.max.x-h.x)*c):(i=(e.max.x-h.x)*c,r=(e.min.x-h.x)*c),u>=0?(s=(e.min.y-h.y)*u,a=(e.max.y-h.y)*u):(s=(e.max.y-h.y)*u,a=(e.min.y-h.y)*u),i>a||s>r||((s>i||isNaN(i))&&(i=s),(a<r||isNaN(r))&&(r=a),p>=0?(o=(e.min.z-h.z)*p,l=(e.max.z-h.z)*p):(o=(e.max.z-h.z)*p,l=(e.min.z-h.z)*p),i>l||o>r)||((o>i||i!==i)&&(i=o),(l<r||r!==r)&&(r=l),r<0)?null:this.at(i>=0?i:r,t)}intersectsBox(e){return this.intersectBox(e,Rn)!==null}intersectTriangle(e,t,i,r,s){const a=this.origin,o=this.direction,l=o.x,c=o.y,u=o.z,p=e.x-a.x,h=e.y-a.y,d=e.z-a.z,_=t.x-a.x,S=t.y-a.y,m=t.z-a.z,f=i.x-a.x,v=i.y-a.y,w=i.z-a.z,y=Math.abs(l),A=Math.abs(c),R=Math.abs(u);let g,E,U,P,D,G,W,I,F,K,k,te;if(y>=A&&y>=R?(U=l,G=p,F=_,te=f,l>=0?(g=c,E=u,P=h,D=d,W=S,I=m,K=v,k=w):(g=u,E=c,P=d,D=h,W=m,I=S,K=w,k=v)):A>=R?(U=c,G=h,F=S,te=v,c>=0?(g=u,E=l,P=d,D=p,W=m,I=_,K=w,k=f):(g=l,E=u,P=p,D=d,W=_,I=m,K=f,k=w)):(U=u,G=d,F=m,te=w,u>=0?(g=l,E=c,P=p,D=h,W=_,I=S,K=f,k=v):(g=c,E=l,P=h,D=p,W=S,I=_,K=v,k=f)),U===0)return null;const X=g/U,j=E/U,ee=1/U,ye=P-X*G,Ie=D-j*G,Z=W-X*F,me=I-j*F,xe=K-X*te,Ae=k-j*te,ge=xe*me-Ae*Z,Ue=ye*Ae-Ie*xe,ft=Z*Ie-me*ye;if(r){if(ge<0||Ue<0||ft<0)return null}else if((ge<0||Ue<0||ft<0)&&(ge>0||Ue>0||ft>0))return null;const Ce=ge+Ue+ft;if(Ce===0)return null;const Ke=ee*(ge*G+Ue*F+ft*te);return(Ce>0?Ke<0:Ke>0)?null:this.at(Ke/Ce,s)}applyMatrix4(e){return this.origin.applyMatrix4(e),this.direction.transformDirection(e),this}equals(e){return e.origin.equals(this.origin)&&e.direction.equals(this.direction)}clone(){return new this.constructor().copy(this)}}class Tp extends Ns{constructor(e){super(),this.isMeshBasicMaterial=!0,this.type="MeshBasicMaterial",this.color=new Ye(16777215),this.map=null,this.lightMap=null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new _i,this.combine=nh,this.reflectivity=1,this.refractionRatio=.98,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="round",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.lightMap=e.lightMap,this.lightMapIntensity=e.lightMapIntensity,this.aoMap=e.aoMap,this.aoMapIntensity=e.aoMapIntensity,this.specularMap=e.specularMap,this.alphaMap=e.alphaMap,this.envMap=e.envMap,this.envMapRotation.copy(e.envMapRotation),this.combine=e.combine,this.reflectivity=e.reflectivity,this.refractionRatio=e.refractionRatio,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.fog=e.fog,this}}const dc=new dt,oi=new wp,Dr=new rl,fc=new V,Ir=new V,Nr=new V,Ur=new V,va=new V,Fr=new V,pc=new V,Or=new V;class ei extends $t{constructor(e=new On,t=new Tp){super(),this.isMesh=!0,this.type="Mesh",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.count=1,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),e.morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==void 0?this.morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.slice():e.material,this.geometry=e.geometry,this}updateMorphTargets(){const t=this.geometry.morphAttributes,i=Object.keys(t);if(i.length>0){const r=t[i[0]];if(r!==void 0){this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let s=0,a=r.length;s<a;s++){const o=r[s].name||String(s);this.morphTargetInfluences.push(0),this.morphTargetDictionary[o]=s}}}}getVertexPosition(e,t){const i=this.geometry,r=i.attributes.position,s=i.morphAttributes.position,a=i.morphTargetsRelative;t.fromBufferAttribute(r,e);const o=this.morphTargetInfluences;if(s&&o){Fr.set(0,0,0);for(let l=0,c=s.length;l<c;l++){const u=o[l],p=s[l];u!==0&&(va.fromBufferAttribute(p,e),a?Fr.addScaledVector(va,u):Fr.addScaledVector(va.sub(t),u))}t.add(Fr)}return t}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){const i=this.geometry,r=this.material,s=this.matrixWorld;r!==void 0&&(i.boundingSphere===null&&i.computeBoundingSphere(),Dr.copy(i.boundingSphere),Dr.applyMatrix4(s),oi.copy(e.ray).recast(e.near),!(Dr.containsPoint(oi.origin)===!1&&(oi.intersectSphere(Dr,fc)===null||oi.origin.distanceToSquared(fc)>(e.far-e.near)**2))&&(dc.copy(s).invert(),oi.copy(e.ray).applyMatrix4(dc),!(i.boundingBox!==null&&oi.intersectsBox(i.boundingBox)===!1)&&this._computeIntersections(e,t,oi)))}_computeIntersections(e,t,i){let r;const s=this.geometry,a=this.material,o=s.index,l=s.attributes.position,c=s.attributes.uv,u=s.attributes.uv1,p=s.attributes.normal,h=s.groups,d=s.drawRange;if(o!==null)if(Array.isArray(a))for(let _=0,S=h.length;_<S;_++){const m=h[_],f=a[m.materialIndex],v=Math.max(m.start,d.start),w=Math.min(o.count,Math.min(m.start+m.count,d.start+d.count));for(let y=v,A=w;y<A;y+=3){const R=o.getX(y),g=o.getX(y+1),E=o.getX(y+2);r=Br(this,f,e,i,c,u,p,R,g,E),r&&(r.faceIndex=Math.floor(y/3),r.face.materialIndex=m.materialIndex,t.push(r))}}else{const _=Math.max(0,d.start),S=Math.min(o.count,d.start+d.count);for(let m=_,f=S;m<f;m+=3){const v=o.getX(m),w=o.getX(m+1),y=o.getX(m+2);r=Br(this,a,e,i,c,u,p,v,w,y),r&&(r.faceIndex=Math.floor(m/3),t.push(r))}}else if(l!==void 0)if(Array.isArray(a))for(let _=0,S=h.length;_<S;_++){const m=h[_],f=a[m.materialIndex],v=Math.max(m.start,d.start),w=Math.min(l.count,Math.min(m.start+m.count,d.start+d.count));for(let y=v,A=w;y<A;y+=3){const R=y,g=y+1,E=y+2;r=Br(this,f,e,i,c,u,p,R,g,E),r&&(r.faceIndex=Math.floor(y/3),r.face.materialIndex=m.materialIndex,t.push(r))}}else{const _=Math.max(0,d.start),S=Math.min(l.count,d.start+d.count);for(let m=_,f=S;m<f;m+=3){const v=m,w=m+1,y=m+2;r=Br(this,a,e,i,c,u,p,v,w,y),r&&(r.faceIndex=Math.floor(m/3),t.push(r))}}}}function Ap(n,e,t,i,r,s,a,o){let l;if(e.side===Gt?l=i.intersectTriangle(a,s,r,!0,o):l=i.intersectTriangle(r,s,a,e.side===mi,o),l===null)return null;Or.copy(o),Or.applyMatrix4(n.matrixWorld);const c=t.ray.origin.distanceTo(Or);return c<t.near||c>t.far?null:{distance:c,point:Or.clone(),object:n}}function Br(n,e,t,i,r,s,a,o,l,c){n.getVertexPosition(o,Ir),n.getVertexPosition(l,Nr),n.getVertexPosition(c,Ur);const u=Ap(n,e,t,i,Ir,Nr,Ur,pc);if(u){const p=new V;ln.getBarycoord(pc,Ir,Nr,Ur,p),r&&(u.uv=ln.getInterpolatedAttribute(r,o,l,c,p,new Xe)),s&&(u.uv1=ln.getInterpolatedAttribute(s,o,l,c,p,new Xe)),a&&(u.normal=ln.getInterpolatedAttribute(a,o,l,c,p,new V),u.normal.dot(i.direction)>0&&u.normal.multiplyScalar(-1));const h={a:o,b:l,c,normal:new V,materialIndex:0};ln.getNormal(Ir,Nr,Ur,h.normal),u.face=h,u.barycoord=p}return u}class So extends Ft{constructor(e=null,t=1,i=1,r,s,a,o,l,c=gt,u=gt,p,h){super(null,a,o,l,c,u,r,s,p,h),this.isDataTexture=!0,this.image={data:e,width:t,height:i},this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}}const li=new rl,Rp=new Xe(.5,.5),kr=new V;class ys{constructor(e=new $n,t=new $n,i=new $n,r=new $n,s=new $n,a=new $n){this.planes=[e,t,i,r,s,a]}set(e,t,i,r,s,a){const o=this.planes;return o[0].copy(e),o[1].copy(t),o[2].copy(i),o[3].copy(r),o[4].copy(s),o[5].copy(a),this}copy(e){const t=this.planes;for(let i=0;i<6;i++)t[i].copy(e.planes[i]);return this}setFromProjectionMatrix(e,t=un,i=!1){const r=this.planes,s=e.elements,a=s[0],o=s[1],l=s[2],c=s[3],u=s[4],p=s[5],h=s[6],d=s[7],_=s[8],S=s[9],m=s[10],f=s[11],v=s[12],w=s[13],y=s[14],A=s[15];if(r[0].setComponents(c-a,d-u,f-_,A-v).normalize(),r[1].setComponents(c+a,d+u,f+_,A+v).normalize(),r[2].setComponents(c+o,d+p,f+S,A+w).normalize(),r[3].setComponents(c-o,d-p,f-S,A-w).normalize(),i)r[4].setComponents(l,h,m,y).normalize(),r[5].setComponents(c-l,d-h,f-m,A-y).normalize();else if(r[4].setComponents(c-l,d-h,f-m,A-y).normalize(),t===un)r[5].setComponents(c+l,d+h,f+m,A+y).normalize();else if(t===Ss)r[5].setComponents(l,h,m,y).normalize();else throw new Error("THREE.Frustum.setFromProjectionMatrix(): Invalid coordinate system: "+t);return this}intersectsObject(e){if(e.boundingSphere!==void 0)e.boundingSphere===null&&e.computeBoundingSphere(),li.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{const t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),li.copy(t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(li)}intersectsSprite(e){li.center.set(0,0,0);const t=Rp.distanceTo(e.center);return li.radius=.7071067811865476+t,li.applyMatrix4(e.matrixWorld),this.intersectsSphere(li)}intersectsSphere(e){const t=this.planes,i=e.center,r=-e.radius;for(let s=0;s<6;s++)if(t[s].distanceToPoint(i)<r)return!1;return!0}intersectsBox(e){const t=this.planes;for(let i=0;i<6;i++){const r=t[i];if(kr.x=r.normal.x>0?e.max.x:e.min.x,kr.y=r.normal.y>0?e.max.y:e.min.y,kr.z=r.normal.z>0?e.max.z:e.min.z,r.distanceToPoint(kr)<0)return!1}return!0}containsPoint(e){const t=this.planes;for(let i=0;i<6;i++)if(t[i].distanceToPoint(e)<0)return!1;return!0}clone(){return new this.constructor().copy(this)}}const mc=new dt;class sl{constructor(){this.coordinateSystem=un,this._frustums=[],this._count=0}setFromArrayCamera(e){const t=e.cameras,i=this._frustums;for(let r=0;r<t.length;r++){const s=t[r];mc.multiplyMatrices(s.projectionMatrix,s.matrixWorldInverse),i[r]===void 0&&(i[r]=new ys),i[r].setFromProjectionMatrix(mc,s.coordinateSystem,s.reversedDepth)}return this._count=t.length,this}getFrustum(e){return this._frustums[e]}intersectsObject(e){const t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].intersectsObject(e))return!0;return!1}intersectsSprite(e){const t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].intersectsSprite(e))return!0;return!1}intersectsSphere(e){const t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].intersectsSphere(e))return!0;return!1}intersectsBox(e){const t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].intersectsBox(e))return!0;return!1}containsPoint(e){const t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].containsPoint(e))return!0;return!1}copy(e){this.coordinateSystem=e.coordinateSystem;const t=this._frustums,i=e._frustums;for(let r=0;r<e._count;r++)t[r]===void 0&&(t[r]=new ys),t[r].copy(i[r]);return this._count=e._count,this}clone(){return new sl().copy(this)}}class Th extends Ft{constructor(e=[],t=Fi,i,r,s,a,o,l,c,u){super(e,t,i,r,s,a,o,l,c,u),this.isCubeTexture=!0,this.flipY=!1}get images(){return this.image}set images(e){this.image=e}}class Bi extends Ft{constructor(e,t,i=yn,r,s,a,o=gt,l=gt,c,u=jn,p=1){if(u!==jn&&u!==Jn)throw new Error("THREE.DepthTexture: format must be either THREE.DepthFormat or THREE.DepthStencilFormat");const h={width:e,height:t,depth:p};super(h,r,s,a,o,l,u,i,c),this.isDepthTexture=!0,this.flipY=!1,this.generateMipmaps=!1,this.compareFunction=null}copy(e){return super.copy(e),this.source=new il(Object.assign({},e.image)),this.compareFunction=e.compareFunction,this}toJSON(e){const t=super.toJSON(e);return t.compareFunction=this.compareFunction,t}}class Ah extends Bi{constructor(e,t=yn,i=Fi,r,s,a=gt,o=gt,l,c=jn){const u={width:e,height:e,depth:1},p=[u,u,u,u,u,u];super(e,e,t,i,r,s,a,o,l,c),this.image=p,this.isCubeDepthTexture=!0,this.isCubeTexture=!0}get images(){return this.image}set images(e){this.image=e}}class Rh extends Ft{constructor(e=null){super(),this.sourceTexture=e,this.isExternalTexture=!0}copy(e){return super.copy(e),this.sourceTexture=e.sourceTexture,this}}class pr extends On{constructor(e=1,t=1,i=1,r=1,s=1,a=1){super(),this.type="BoxGeometry",this.parameters={width:e,height:t,depth:i,widthSegments:r,heightSegments:s,depthSegments:a};const o=this;r=Math.floor(r),s=Math.floor(s),a=Math.floor(a);const l=[],c=[],u=[],p=[];let h=0,d=0;_("z","y","x",-1,-1,i,t,e,a,s,0),_("z","y","x",1,-1,i,t,-e,a,s,1),_("x","z","y",1,1,e,i,t,r,a,2),_("x","z","y",1,-1,e,i,-t,r,a,3),_("x","y","z",1,-1,e,t,i,r,s,4),_("x","y","z",-1,-1,e,t,-i,r,s,5),this.setIndex(l),this.setAttribute("position",new Nn(c,3)),this.setAttribute("normal",new Nn(u,3)),this.setAttribute("uv",new Nn(p,2));function _(S,m,f,v,w,y,A,R,g,E,U){const P=y/g,D=A/E,G=y/2,W=A/2,I=R/2,F=g+1,K=E+1;let k=0,te=0;const X=new V;for(let j=0;j<K;j++){const ee=j*D-W;for(let ye=0;ye<F;ye++){const Ie=ye*P-G;X[S]=Ie*v,X[m]=ee*w,X[f]=I,c.push(X.x,X.y,X.z),X[S]=0,X[m]=0,X[f]=R>0?1:-1,u.push(X.x,X.y,X.z),p.push(ye/g),p.push(1-j/E),k+=1}}for(let j=0;j<E;j++)for(let ee=0;ee<g;ee++){const ye=h+ee+F*j,Ie=h+ee+F*(j+1),Z=h+(ee+1)+F*(j+1),me=h+(ee+1)+F*j;l.push(ye,Ie,me),l.push(Ie,Z,me),te+=6}o.addGroup(d,te,U),d+=te,h+=k}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new pr(e.width,e.height,e.depth,e.widthSegments,e.heightSegments,e.depthSegments)}}class Us extends On{constructor(e=1,t=1,i=1,r=1){super(),this.type="PlaneGeometry",this.parameters={width:e,height:t,widthSegments:i,heightSegments:r};const s=e/2,a=t/2,o=Math.floor(i),l=Math.floor(r),c=o+1,u=l+1,p=e/o,h=t/l,d=[],_=[],S=[],m=[];for(let f=0;f<u;f++){const v=f*h-a;for(let w=0;w<c;w++){const y=w*p-s;_.push(y,-v,0),S.push(0,0,1),m.push(w/o),m.push(1-f/l)}}for(let f=0;f<l;f++)for(let v=0;v<o;v++){const w=v+c*f,y=v+c*(f+1),A=v+1+c*(f+1),R=v+1+c*f;d.push(w,y,R),d.push(y,A,R)}this.setIndex(d),this.setAttribute("position",new Nn(_,3)),this.setAttribute("normal",new Nn(S,3)),this.setAttribute("uv",new Nn(m,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new Us(e.width,e.height,e.widthSegments,e.heightSegments)}}function ki(n){const e={};for(const t in n){e[t]={};for(const i in n[t]){const r=n[t][i];if(gc(r))r.isRenderTargetTexture?(Pe("UniformsUtils: Textures of render targets cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][i]=null):e[t][i]=r.clone();else if(Array.isArray(r))if(gc(r[0])){const s=[];for(let a=0,o=r.length;a<o;a++)s[a]=r[a].clone();e[t][i]=s}else e[t][i]=r.slice();else e[t][i]=r}}return e}function Nt(n){const e={};for(let t=0;t<n.length;t++){const i=ki(n[t]);for(const r in i)e[r]=i[r]}return e}function gc(n){return n&&(n.isColor||n.isMatrix3||n.isMatrix4||n.isVector2||n.isVector3||n.isVector4||n.isTexture||n.isQuaternion)}function Cp(n){const e=[];for(let t=0;t<n.length;t++)e.push(n[t].clone());return e}function Ch(n){const e=n.getRenderTarget();return e===null?n.outputColorSpace:e.isXRRenderTarget===!0?e.texture.colorSpace:Ve.workingColorSpace}const Pp={clone:ki,merge:Nt};var Lp=`void main() {
+	gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
+}`,Dp=`void main() {
+	gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );
+}`;class vi extends Ns{constructor(e){super(),this.isShaderMaterial=!0,this.type="ShaderMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=Lp,this.fragmentShader=Dp,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=1,this.fog=!1,this.lights=!1,this.clipping=!1,this.forceSinglePass=!0,this.extensions={clipCullDistance:!1,multiDraw:!1},this.defaultAttributeValues={color:[1,1,1],uv:[0,0],uv1:[0,0]},this.index0AttributeName=void 0,this.uniformsNeedUpdate=!1,this.glslVersion=null,e!==void 0&&this.setValues(e)}copy(e){return super.copy(e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=ki(e.uniforms),this.uniformsGroups=Cp(e.uniformsGroups),this.defines=Object.assign({},e.defines),this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.fog=e.fog,this.lights=e.lights,this.clipping=e.clipping,this.extensions=Object.assign({},e.extensions),this.glslVersion=e.glslVersion,this.defaultAttributeValues=Object.assign({},e.defaultAttributeValues),this.index0AttributeName=e.index0AttributeName,this.uniformsNeedUpdate=e.uniformsNeedUpdate,this}toJSON(e){const t=super.toJSON(e);t.glslVersion=this.glslVersion,t.uniforms={};for(const r in this.uniforms){const a=this.uniforms[r].value;a&&a.isTexture?t.uniforms[r]={type:"t",value:a.toJSON(e).uuid}:a&&a.isColor?t.uniforms[r]={type:"c",value:a.getHex()}:a&&a.isVector2?t.uniforms[r]={type:"v2",value:a.toArray()}:a&&a.isVector3?t.uniforms[r]={type:"v3",value:a.toArray()}:a&&a.isVector4?t.uniforms[r]={type:"v4",value:a.toArray()}:a&&a.isMatrix3?t.uniforms[r]={type:"m3",value:a.toArray()}:a&&a.isMatrix4?t.uniforms[r]={type:"m4",value:a.toArray()}:t.uniforms[r]={value:a}}Object.keys(this.defines).length>0&&(t.defines=this.defines),t.vertexShader=this.vertexShader,t.fragmentShader=this.fragmentShader,t.lights=this.lights,t.clipping=this.clipping;const i={};for(const r in this.extensions)this.extensions[r]===!0&&(i[r]=!0);return Object.keys(i).length>0&&(t.extensions=i),t}fromJSON(e,t){if(super.fromJSON(e,t),e.uniforms!==void 0)for(const i in e.uniforms){const r=e.uniforms[i];switch(this.uniforms[i]={},r.type){case"t":this.uniforms[i].value=t[r.value]||null;break;case"c":this.uniforms[i].value=new Ye().setHex(r.value);break;case"v2":this.uniforms[i].value=new Xe().fromArray(r.value);break;case"v3":this.uniforms[i].value=new V().fromArray(r.value);break;case"v4":this.uniforms[i].value=new lt().fromArray(r.value);break;case"m3":this.uniforms[i].value=new De().fromArray(r.value);break;case"m4":this.uniforms[i].value=new dt().fromArray(r.value);break;default:this.uniforms[i].value=r.value}}if(e.defines!==void 0&&(this.defines=e.defines),e.vertexShader!==void 0&&(this.vertexShader=e.vertexShader),e.fragmentShader!==void 0&&(this.fragmentShader=e.fragmentShader),e.glslVersion!==void 0&&(this.glslVersion=e.glslVersion),e.extensions!==void 0)for(const i in e.extensions)this.extensions[i]=e.extensions[i];return e.lights!==void 0&&(this.lights=e.lights),e.clipping!==void 0&&(this.clipping=e.clipping),this}}class Ph extends vi{constructor(e){super(e),this.isRawShaderMaterial=!0,this.type="RawShaderMaterial"}}class Ip extends Ns{constructor(e){super(),this.isMeshDepthMaterial=!0,this.type="MeshDepthMaterial",this.depthPacking=kf,this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.wireframe=!1,this.wireframeLinewidth=1,this.setValues(e)}copy(e){return super.copy(e),this.depthPacking=e.depthPacking,this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=e.displacementScale,this.displacementBias=e.displacementBias,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this}}class Np extends Ns{constructor(e){super(),this.isMeshDistanceMaterial=!0,this.type="MeshDistanceMaterial",this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.setValues(e)}copy(e){return super.copy(e),this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=e.displacementScale,this.displacementBias=e.displacementBias,this}}const zr=new V,Gr=new Vi,fn=new V;class al extends $t{constructor(){super(),this.isCamera=!0,this.type="Camera",this.matrixWorldInverse=new dt,this.projectionMatrix=new dt,this.projectionMatrixInverse=new dt,this.coordinateSystem=un,this._reversedDepth=!1}get reversedDepth(){return this._reversedDepth}copy(e,t){return super.copy(e,t),this.matrixWorldInverse.copy(e.matrixWorldInverse),this.projectionMatrix.copy(e.projectionMatrix),this.projectionMatrixInverse.copy(e.projectionMatrixInverse),this.coordinateSystem=e.coordinateSystem,this}getWorldDirection(e){return super.getWorldDirection(e).negate()}updateMatrixWorld(e){super.updateMatrixWorld(e),this.matrixWorld.decompose(zr,Gr,fn),fn.x===1&&fn.y===1&&fn.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(zr,Gr,fn.set(1,1,1)).invert()}updateWorldMatrix(e,t,i=!1){super.updateWorldMatrix(e,t,i),this.matrixWorld.decompose(zr,Gr,fn),fn.x===1&&fn.y===1&&fn.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(zr,Gr,fn.set(1,1,1)).invert()}clone(){return new this.constructor().copy(this)}}const Wn=new V,_c=new Xe,vc=new Xe;class mn extends al{constructor(e=50,t=1,i=.1,r=2e3){super(),this.isPerspectiveCamera=!0,this.type="PerspectiveCamera",this.fov=e,this.zoom=1,this.near=i,this.far=r,this.focus=10,this.aspect=t,this.view=null,this.filmGauge=35,this.filmOffset=0,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.fov=e.fov,this.zoom=e.zoom,this.near=e.near,this.far=e.far,this.focus=e.focus,this.aspect=e.aspect,this.view=e.view===null?null:Object.assign({},e.view),this.filmGauge=e.filmGauge,this.filmOffset=e.filmOffset,this}setFocalLength(e){const t=.5*this.getFilmHeight()/e;this.fov=vo*2*Math.atan(t),this.updateProjectionMatrix()}getFocalLength(){const e=Math.tan(Js*.5*this.fov);return .5*this.getFilmHeight()/e}getEffectiveFOV(){return vo*2*Math.atan(Math.tan(Js*.5*this.fov)/this.zoom)}getFilmWidth(){return this.filmGauge*Math.min(this.aspect,1)}getFilmHeight(){return this.filmGauge/Math.max(this.aspect,1)}getViewBounds(e,t,i){Wn.set(-1,-1,.5).applyMatrix4(this.projectionMatrixInverse),t.set(Wn.x,Wn.y).multiplyScalar(-e/Wn.z),Wn.set(1,1,.5).applyMatrix4(this.projectionMatrixInverse),i.set(Wn.x,Wn.y).multiplyScalar(-e/Wn.z)}getViewSize(e,t){return this.getViewBounds(e,_c,vc),t.subVectors(vc,_c)}setViewOffset(e,t,i,r,s,a){this.aspect=e/t,this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=t,this.view.offsetX=i,this.view.offsetY=r,this.view.width=s,this.view.height=a,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){const e=this.near;let t=e*Math.tan(Js*.5*this.fov)/this.zoom,i=2*t,r=this.aspect*i,s=-.5*r;const a=this.view;if(this.view!==null&&this.view.enabled){const l=a.fullWidth,c=a.fullHeight;s+=a.offsetX*r/l,t-=a.offsetY*i/c,r*=a.width/l,i*=a.height/c}const o=this.filmOffset;o!==0&&(s+=e*o/this.getFilmWidth()),this.projectionMatrix.makePerspective(s,s+r,t,t-i,e,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){const t=super.toJSON(e);return t.object.fov=this.fov,t.object.zoom=this.zoom,t.object.near=this.near,t.object.far=this.far,t.object.focus=this.focus,t.object.aspect=this.aspect,this.view!==null&&(t.object.view=Object.assign({},this.view)),t.object.filmGauge=this.filmGauge,t.object.filmOffset=this.filmOffset,t}}class Up extends al{constructor(e=-1,t=1,i=1,r=-1,s=.1,a=2e3){super(),this.isOrthographicCamera=!0,this.type="OrthographicCamera",this.zoom=1,this.view=null,this.left=e,this.right=t,this.top=i,this.bottom=r,this.near=s,this.far=a,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.left=e.left,this.right=e.right,this.top=e.top,this.bottom=e.bottom,this.near=e.near,this.far=e.far,this.zoom=e.zoom,this.view=e.view===null?null:Object.assign({},e.view),this}setViewOffset(e,t,i,r,s,a){this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=t,this.view.offsetX=i,this.view.offsetY=r,this.view.width=s,this.view.height=a,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){const e=(this.right-this.left)/(2*this.zoom),t=(this.top-this.bottom)/(2*this.zoom),i=(this.right+this.left)/2,r=(this.top+this.bottom)/2;let s=i-e,a=i+e,o=r+t,l=r-t;if(this.view!==null&&this.view.enabled){const c=(this.right-this.left)/this.view.fullWidth/this.zoom,u=(this.top-this.bottom)/this.view.fullHeight/this.zoom;s+=c*this.view.offsetX,a=s+c*this.view.width,o-=u*this.view.offsetY,l=o-u*this.view.height}this.projectionMatrix.makeOrthographic(s,a,o,l,this.near,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){const t=super.toJSON(e);return t.object.zoom=this.zoom,t.object.left=this.left,t.object.right=this.right,t.object.top=this.top,t.object.bottom=this.bottom,t.object.near=this.near,t.object.far=this.far,this.view!==null&&(t.object.view=Object.assign({},this.view)),t}}const Pi=-90,Li=1;class Mo extends $t{constructor(e,t,i){super(),this.type="CubeCamera",this.renderTarget=i,this.coordinateSystem=null,this.activeMipmapLevel=0;const r=new mn(Pi,Li,e,t);r.layers=this.layers,this.add(r);const s=new mn(Pi,Li,e,t);s.layers=this.layers,this.add(s);const a=new mn(Pi,Li,e,t);a.layers=this.layers,this.add(a);const o=new mn(Pi,Li,e,t);o.layers=this.layers,this.add(o);const l=new mn(Pi,Li,e,t);l.layers=this.layers,this.add(l);const c=new mn(Pi,Li,e,t);c.layers=this.layers,this.add(c)}updateCoordinateSystem(){const e=this.coordinateSystem,t=this.children.concat(),[i,r,s,a,o,l]=t;for(const c of t)this.remove(c);if(e===un)i.up.set(0,1,0),i.lookAt(1,0,0),r.up.set(0,1,0),r.lookAt(-1,0,0),s.up.set(0,0,-1),s.lookAt(0,1,0),a.up.set(0,0,1),a.lookAt(0,-1,0),o.up.set(0,1,0),o.lookAt(0,0,1),l.up.set(0,1,0),l.lookAt(0,0,-1);else if(e===Ss)i.up.set(0,-1,0),i.lookAt(-1,0,0),r.up.set(0,-1,0),r.lookAt(1,0,0),s.up.set(0,0,1),s.lookAt(0,1,0),a.up.set(0,0,-1),a.lookAt(0,-1,0),o.up.set(0,-1,0),o.lookAt(0,0,1),l.up.set(0,-1,0),l.lookAt(0,0,-1);else throw new Error("THREE.CubeCamera.updateCoordinateSystem(): Invalid coordinate system: "+e);for(const c of t)this.add(c),c.updateMatrixWorld()}update(e,t){this.parent===null&&this.updateMatrixWorld();const{renderTarget:i,activeMipmapLevel:r}=this;this.coordinateSystem!==e.coordinateSystem&&(this.coordinateSystem=e.coordinateSystem,this.updateCoordinateSystem());const[s,a,o,l,c,u]=this.children,p=e.getRenderTarget(),h=e.getActiveCubeFace(),d=e.getActiveMipmapLevel(),_=e.xr.enabled;e.xr.enabled=!1;const S=i.texture.mipmapsAutoUpdate;i.texture.mipmapsAutoUpdate=!1;let m=!1;e.isWebGLRenderer===!0?m=e.state.buffers.depth.getReversed():m=e.reversedDepthBuffer,e.setRenderTarget(i,0,r),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,s),e.setRenderTarget(i,1,r),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,a),e.setRenderTarget(i,2,r),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,o),e.setRenderTarget(i,3,r),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,l),e.setRenderTarget(i,4,r),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,c),i.texture.mipmapsAutoUpdate=S,e.setRenderTarget(i,5,r),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,u),e.setRenderTarget(p,h,d),e.xr.enabled=_,i.texture.needsPMREMUpdate=!0}}class Fp extends mn{constructor(e=[]){super(),this.isArrayCamera=!0,this.isMultiViewCamera=!1,this.cameras=e,this.perCameraFrustumCulled=!1}}function xc(n,e,t,i){const r=Op(i);switch(t){case mh:return n*e;case Qo:return n*e/r.components*r.byteLength;case jo:return n*e/r.components*r.byteLength;case gi:return n*e*2/r.components*r.byteLength;case el:return n*e*2/r.components*r.byteLength;case gh:return n*e*3/r.components*r.byteLength;case cn:return n*e*4/r.components*r.byteLength;case tl:return n*e*4/r.components*r.byteLength;case es:case ts:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*8;case ns:case is:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*16;case Ga:case Va:return Math.max(n,16)*Math.max(e,8)/4;case za:case Ha:return Math.max(n,8)*Math.max(e,8)/2;case Wa:case Xa:case qa:case Ya:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*8;case $a:case _s:case Ka:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*16;case Za:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*16;case Ja:return Math.floor((n+4)/5)*Math.floor((e+3)/4)*16;case Qa:return Math.floor((n+4)/5)*Math.floor((e+4)/5)*16;case ja:return Math.floor((n+5)/6)*Math.floor((e+4)/5)*16;case eo:return Math.floor((n+5)/6)*Math.floor((e+5)/6)*16;case to:return Math.floor((n+7)/8)*Math.floor((e+4)/5)*16;case no:return Math.floor((n+7)/8)*Math.floor((e+5)/6)*16;case io:return Math.floor((n+7)/8)*Math.floor((e+7)/8)*16;case ro:return Math.floor((n+9)/10)*Math.floor((e+4)/5)*16;case so:return Math.floor((n+9)/10)*Math.floor((e+5)/6)*16;case ao:return Math.floor((n+9)/10)*Math.floor((e+7)/8)*16;case oo:return Math.floor((n+9)/10)*Math.floor((e+9)/10)*16;case lo:return Math.floor((n+11)/12)*Math.floor((e+9)/10)*16;case co:return Math.floor((n+11)/12)*Math.floor((e+11)/12)*16;case uo:case ho:case fo:return Math.ceil(n/4)*Math.ceil(e/4)*16;case po:case mo:return Math.ceil(n/4)*Math.ceil(e/4)*8;case vs:case go:return Math.ceil(n/4)*Math.ceil(e/4)*16}throw new Error(`Unable to determine texture byte length for ${t} format.`)}function Op(n){switch(n){case en:case hh:return{byteLength:1,components:1};case lr:case dh:case qt:return{byteLength:2,components:1};case Zo:case Jo:return{byteLength:2,components:4};case yn:case Ko:case zt:return{byteLength:4,components:1};case fh:case ph:return{byteLength:4,components:3}}throw new Error(`THREE.TextureUtils: Unknown texture type ${n}.`)}typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("register",{detail:{revision:Yo}}));typeof window<"u"&&(window.__THREE__?Pe("WARNING: Multiple instances of Three.js being imported."):window.__THREE__=Yo);function Lh(){let n=null,e=!1,t=null,i=null;function r(s,a){i=n.requestAnimationFrame(r),t(s,a)}return{start:function(){e!==!0&&t!==null&&n!==null&&(i=n.requestAnimationFrame(r),e=!0)},stop:function(){n!==null&&n.cancelAnimationFrame(i),e=!1},setAnimationLoop:function(s){t=s},setContext:function(s){n=s}}}function Bp(n){const e=new WeakMap;function t(o,l){const c=o.array,u=o.usage,p=c.byteLength,h=n.createBuffer();n.bindBuffer(l,h),n.bufferData(l,c,u),o.onUploadCallback();let d;if(c instanceof Float32Array)d=n.FLOAT;else if(typeof Float16Array<"u"&&c instanceof Float16Array)d=n.HALF_FLOAT;else if(c instanceof Uint16Array)o.isFloat16BufferAttribute?d=n.HALF_FLOAT:d=n.UNSIGNED_SHORT;else if(c instanceof Int16Array)d=n.SHORT;else if(c instanceof Uint32Array)d=n.UNSIGNED_INT;else if(c instanceof Int32Array)d=n.INT;else if(c instanceof Int8Array)d=n.BYTE;else if(c instanceof Uint8Array)d=n.UNSIGNED_BYTE;else if(c instanceof Uint8ClampedArray)d=n.UNSIGNED_BYTE;else throw new Error("THREE.WebGLAttributes: Unsupported buffer data format: "+c);return{buffer:h,type:d,bytesPerElement:c.BYTES_PER_ELEMENT,version:o.version,size:p}}function i(o,l,c){const u=l.array,p=l.updateRanges;if(n.bindBuffer(c,o),p.length===0)n.bufferSubData(c,0,u);else{p.sort((d,_)=>d.start-_.start);let h=0;for(let d=1;d<p.length;d++){const _=p[h],S=p[d];S.start<=_.start+_.count+1?_.count=Math.max(_.count,S.start+S.count-_.start):(++h,p[h]=S)}p.length=h+1;for(let d=0,_=p.length;d<_;d++){const S=p[d];n.bufferSubData(c,S.start*u.BYTES_PER_ELEMENT,u,S.start,S.count)}l.clearUpdateRanges()}l.onUploadCallback()}function r(o){return o.isInterleavedBufferAttribute&&(o=o.data),e.get(o)}function s(o){o.isInterleavedBufferAttribute&&(o=o.data);const l=e.get(o);l&&(n.deleteBuffer(l.buffer),e.delete(o))}function a(o,l){if(o.isInterleavedBufferAttribute&&(o=o.data),o.isGLBufferAttribute){const u=e.get(o);(!u||u.version<o.version)&&e.set(o,{buffer:o.buffer,type:o.type,bytesPerElement:o.elementSize,version:o.version});return}const c=e.get(o);if(c===void 0)e.set(o,t(o,l));else if(c.version<o.version){if(c.size!==o.array.byteLength)throw new Error("THREE.WebGLAttributes: The size of the buffer attribute's array buffer does not match the original size. Resizing buffer attributes is not supported.");i(c.buffer,o,l),c.version=o.version}}return{get:r,remove:s,update:a}}var kp=`#ifdef USE_ALPHAHASH
+	if ( diffuseColor.a < getAlphaHashThreshold( vPosition ) ) discard;
+#endif`,zp=`#ifdef USE_ALPHAHASH
+	const float ALPHA_HASH_SCALE = 0.05;
+	float hash2D( vec2 value ) {
+		return fract( 1.0e4 * sin( 17.0 * value.x + 0.1 * value.y ) * ( 0.1 + abs( sin( 13.0 * value.y + value.x ) ) ) );
+	}
+	float hash3D( vec3 value ) {
+		return hash2D( vec2( hash2D( value.xy ), value.z ) );
+	}
+	float getAlphaHashThreshold( vec3 position ) {
+		float maxDeriv = max(
+			length( dFdx( position.xyz ) ),
+			length( dFdy( position.xyz ) )
+		);
+		float pixScale = 1.0 / ( ALPHA_HASH_SCALE * maxDeriv );
+		vec2 pixScales = vec2(
+			exp2( floor( log2( pixScale ) ) ),
+			exp2( ceil( log2( pixScale ) ) )
+		);
+		vec2 alpha = vec2(
+			hash3D( floor( pixScales.x * position.xyz ) ),
+			hash3D( floor( pixScales.y * position.xyz ) )
+		);
+		float lerpFactor = fract( log2( pixScale ) );
+		float x = ( 1.0 - lerpFactor ) * alpha.x + lerpFactor * alpha.y;
+		float a = min( lerpFactor, 1.0 - lerpFactor );
+		vec3 cases = vec3(
+			x * x / ( 2.0 * a * ( 1.0 - a ) ),
+			( x - 0.5 * a ) / ( 1.0 - a ),
+			1.0 - ( ( 1.0 - x ) * ( 1.0 - x ) / ( 2.0 * a * ( 1.0 - a ) ) )
+		);
+		float threshold = ( x < ( 1.0 - a ) )
+			? ( ( x < a ) ? cases.x : cases.y )
+			: cases.z;
+		return clamp( threshold , 1.0e-6, 1.0 );
+	}
+#endif`,Gp=`#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, vAlphaMapUv ).g;
+#endif`,Hp=`#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,Vp=`#ifdef USE_ALPHATEST
+	#ifdef ALPHA_TO_COVERAGE
+	diffuseColor.a = smoothstep( alphaTest, alphaTest + fwidth( diffuseColor.a ), diffuseColor.a );
+	if ( diffuseColor.a == 0.0 ) discard;
+	#else
+	if ( diffuseColor.a < alphaTest ) discard;
+	#endif
+#endif`,Wp=`#ifdef USE_ALPHATEST
+	uniform float alphaTest;
+#endif`,Xp=`#ifdef USE_AOMAP
+	float ambientOcclusion = ( texture2D( aoMap, vAoMapUv ).r - 1.0 ) * aoMapIntensity + 1.0;
+	reflectedLight.indirectDiffuse *= ambientOcclusion;
+	#if defined( USE_CLEARCOAT ) 
+		clearcoatSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_SHEEN ) 
+		sheenSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( STANDARD )
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		reflectedLight.indirectSpecular *= computeSpecularOcclusion( dotNV, ambientOcclusion, material.roughness );
+	#endif
+#endif`,$p=`#ifdef USE_AOMAP
+	uniform sampler2D aoMap;
+	uniform float aoMapIntensity;
+#endif`,qp=`#ifdef USE_BATCHING
+	#if ! defined( GL_ANGLE_multi_draw )
+	#define gl_DrawID _gl_DrawID
+	uniform int _gl_DrawID;
+	#endif
+	uniform highp sampler2D batchingTexture;
+	uniform highp usampler2D batchingIdTexture;
+	mat4 getBatchingMatrix( const in float i ) {
+		int size = textureSize( batchingTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( batchingTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( batchingTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( batchingTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( batchingTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+	float getIndirectIndex( const in int i ) {
+		int size = textureSize( batchingIdTexture, 0 ).x;
+		int x = i % size;
+		int y = i / size;
+		return float( texelFetch( batchingIdTexture, ivec2( x, y ), 0 ).r );
+	}
+#endif
+#ifdef USE_BATCHING_COLOR
+	uniform sampler2D batchingColorTexture;
+	vec4 getBatchingColor( const in float i ) {
+		int size = textureSize( batchingColorTexture, 0 ).x;
+		int j = int( i );
+		int x = j % size;
+		int y = j / size;
+		return texelFetch( batchingColorTexture, ivec2( x, y ), 0 );
+	}
+#endif`,Yp=`#ifdef USE_BATCHING
+	mat4 batchingMatrix = getBatchingMatrix( getIndirectIndex( gl_DrawID ) );
+#endif`,Kp=`vec3 transformed = vec3( position );
+#ifdef USE_ALPHAHASH
+	vPosition = vec3( position );
+#endif`,Zp=`vec3 objectNormal = vec3( normal );
+#ifdef USE_TANGENT
+	vec3 objectTangent = vec3( tangent.xyz );
+#endif`,Jp=`float G_BlinnPhong_Implicit( ) {
+	return 0.25;
+}
+float D_BlinnPhong( const in float shininess, const in float dotNH ) {
+	return RECIPROCAL_PI * ( shininess * 0.5 + 1.0 ) * pow( dotNH, shininess );
+}
+vec3 BRDF_BlinnPhong( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 specularColor, const in float shininess ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( specularColor, 1.0, dotVH );
+	float G = G_BlinnPhong_Implicit( );
+	float D = D_BlinnPhong( shininess, dotNH );
+	return F * ( G * D );
+} // validated`,Qp=`#ifdef USE_IRIDESCENCE
+	const mat3 XYZ_TO_REC709 = mat3(
+		 3.2404542, -0.9692660,  0.0556434,
+		-1.5371385,  1.8760108, -0.2040259,
+		-0.4985314,  0.0415560,  1.0572252
+	);
+	vec3 Fresnel0ToIor( vec3 fresnel0 ) {
+		vec3 sqrtF0 = sqrt( fresnel0 );
+		return ( vec3( 1.0 ) + sqrtF0 ) / ( vec3( 1.0 ) - sqrtF0 );
+	}
+	vec3 IorToFresnel0( vec3 transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - vec3( incidentIor ) ) / ( transmittedIor + vec3( incidentIor ) ) );
+	}
+	float IorToFresnel0( float transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - incidentIor ) / ( transmittedIor + incidentIor ));
+	}
+	vec3 evalSensitivity( float OPD, vec3 shift ) {
+		float phase = 2.0 * PI * OPD * 1.0e-9;
+		vec3 val = vec3( 5.4856e-13, 4.4201e-13, 5.2481e-13 );
+		vec3 pos = vec3( 1.6810e+06, 1.7953e+06, 2.2084e+06 );
+		vec3 var = vec3( 4.3278e+09, 9.3046e+09, 6.6121e+09 );
+		vec3 xyz = val * sqrt( 2.0 * PI * var ) * cos( pos * phase + shift ) * exp( - pow2( phase ) * var );
+		xyz.x += 9.7470e-14 * sqrt( 2.0 * PI * 4.5282e+09 ) * cos( 2.2399e+06 * phase + shift[ 0 ] ) * exp( - 4.5282e+09 * pow2( phase ) );
+		xyz /= 1.0685e-7;
+		vec3 rgb = XYZ_TO_REC709 * xyz;
+		return rgb;
+	}
+	vec3 evalIridescence( float outsideIOR, float eta2, float cosTheta1, float thinFilmThickness, vec3 baseF0 ) {
+		vec3 I;
+		float iridescenceIOR = mix( outsideIOR, eta2, smoothstep( 0.0, 0.03, thinFilmThickness ) );
+		float sinTheta2Sq = pow2( outsideIOR / iridescenceIOR ) * ( 1.0 - pow2( cosTheta1 ) );
+		float cosTheta2Sq = 1.0 - sinTheta2Sq;
+		if ( cosTheta2Sq < 0.0 ) {
+			return vec3( 1.0 );
+		}
+		float cosTheta2 = sqrt( cosTheta2Sq );
+		float R0 = IorToFresnel0( iridescenceIOR, outsideIOR );
+		float R12 = F_Schlick( R0, 1.0, cosTheta1 );
+		float T121 = 1.0 - R12;
+		float phi12 = 0.0;
+		if ( iridescenceIOR < outsideIOR ) phi12 = PI;
+		float phi21 = PI - phi12;
+		vec3 baseIOR = Fresnel0ToIor( clamp( baseF0, 0.0, 0.9999 ) );		vec3 R1 = IorToFresnel0( baseIOR, iridescenceIOR );
+		vec3 R23 = F_Schlick( R1, 1.0, cosTheta2 );
+		vec3 phi23 = vec3( 0.0 );
+		if ( baseIOR[ 0 ] < iridescenceIOR ) phi23[ 0 ] = PI;
+		if ( baseIOR[ 1 ] < iridescenceIOR ) phi23[ 1 ] = PI;
+		if ( baseIOR[ 2 ] < iridescenceIOR ) phi23[ 2 ] = PI;
+		float OPD = 2.0 * iridescenceIOR * thinFilmThickness * cosTheta2;
+		vec3 phi = vec3( phi21 ) + phi23;
+		vec3 R123 = clamp( R12 * R23, 1e-5, 0.9999 );
+		vec3 r123 = sqrt( R123 );
+		vec3 Rs = pow2( T121 ) * R23 / ( vec3( 1.0 ) - R123 );
+		vec3 C0 = R12 + Rs;
+		I = C0;
+		vec3 Cm = Rs - T121;
+		for ( int m = 1; m <= 2; ++ m ) {
+			Cm *= r123;
+			vec3 Sm = 2.0 * evalSensitivity( float( m ) * OPD, float( m ) * phi );
+			I += Cm * Sm;
+		}
+		return max( I, vec3( 0.0 ) );
+	}
+#endif`,jp=`#ifdef USE_BUMPMAP
+	uniform sampler2D bumpMap;
+	uniform float bumpScale;
+	vec2 dHdxy_fwd() {
+		vec2 dSTdx = dFdx( vBumpMapUv );
+		vec2 dSTdy = dFdy( vBumpMapUv );
+		float Hll = bumpScale * texture2D( bumpMap, vBumpMapUv ).x;
+		float dBx = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdx ).x - Hll;
+		float dBy = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdy ).x - Hll;
+		return vec2( dBx, dBy );
+	}
+	vec3 perturbNormalArb( vec3 surf_pos, vec3 surf_norm, vec2 dHdxy, float faceDirection ) {
+		vec3 vSigmaX = normalize( dFdx( surf_pos.xyz ) );
+		vec3 vSigmaY = normalize( dFdy( surf_pos.xyz ) );
+		vec3 vN = surf_norm;
+		vec3 R1 = cross( vSigmaY, vN );
+		vec3 R2 = cross( vN, vSigmaX );
+		float fDet = dot( vSigmaX, R1 ) * faceDirection;
+		vec3 vGrad = sign( fDet ) * ( dHdxy.x * R1 + dHdxy.y * R2 );
+		return normalize( abs( fDet ) * surf_norm - vGrad );
+	}
+#endif`,em=`#if NUM_CLIPPING_PLANES > 0
+	vec4 plane;
+	#ifdef ALPHA_TO_COVERAGE
+		float distanceToPlane, distanceGradient;
+		float clipOpacity = 1.0;
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+			distanceGradient = fwidth( distanceToPlane ) / 2.0;
+			clipOpacity *= smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			if ( clipOpacity == 0.0 ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			float unionClipOpacity = 1.0;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+				distanceGradient = fwidth( distanceToPlane ) / 2.0;
+				unionClipOpacity *= 1.0 - smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			}
+			#pragma unroll_loop_end
+			clipOpacity *= 1.0 - unionClipOpacity;
+		#endif
+		diffuseColor.a *= clipOpacity;
+		if ( diffuseColor.a == 0.0 ) discard;
+	#else
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			if ( dot( vClipPosition, plane.xyz ) > plane.w ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			bool clipped = true;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				clipped = ( dot( vClipPosition, plane.xyz ) > plane.w ) && clipped;
+			}
+			#pragma unroll_loop_end
+			if ( clipped ) discard;
+		#endif
+	#endif
+#endif`,tm=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+	uniform vec4 clippingPlanes[ NUM_CLIPPING_PLANES ];
+#endif`,nm=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+#endif`,im=`#if NUM_CLIPPING_PLANES > 0
+	vClipPosition = - mvPosition.xyz;
+#endif`,rm=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )
+	diffuseColor *= vColor;
+#endif`,sm=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )
+	varying vec4 vColor;
+#endif`,am=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	varying vec4 vColor;
+#endif`,om=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	vColor = vec4( 1.0 );
+#endif
+#ifdef USE_COLOR_ALPHA
+	vColor *= color;
+#elif defined( USE_COLOR )
+	vColor.rgb *= color;
+#endif
+#ifdef USE_INSTANCING_COLOR
+	vColor.rgb *= instanceColor.rgb;
+#endif
+#ifdef USE_BATCHING_COLOR
+	vColor *= getBatchingColor( getIndirectIndex( gl_DrawID ) );
+#endif`,lm=`#define PI 3.141592653589793
+#define PI2 6.283185307179586
+#define PI_HALF 1.5707963267948966
+#define RECIPROCAL_PI 0.3183098861837907
+#define RECIPROCAL_PI2 0.15915494309189535
+#define EPSILON 1e-6
+#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+#define whiteComplement( a ) ( 1.0 - saturate( a ) )
+float pow2( const in float x ) { return x*x; }
+vec3 pow2( const in vec3 x ) { return x*x; }
+float pow3( const in float x ) { return x*x*x; }
+float pow4( const in float x ) { float x2 = x*x; return x2*x2; }
+float max3( const in vec3 v ) { return max( max( v.x, v.y ), v.z ); }
+float average( const in vec3 v ) { return dot( v, vec3( 0.3333333 ) ); }
+highp float rand( const in vec2 uv ) {
+	const highp float a = 12.9898, b = 78.233, c = 43758.5453;
+	highp float dt = dot( uv.xy, vec2( a,b ) ), sn = mod( dt, PI );
+	return fract( sin( sn ) * c );
+}
+#ifdef HIGH_PRECISION
+	float precisionSafeLength( vec3 v ) { return length( v ); }
+#else
+	float precisionSafeLength( vec3 v ) {
+		float maxComponent = max3( abs( v ) );
+		return length( v / maxComponent ) * maxComponent;
+	}
+#endif
+struct IncidentLight {
+	vec3 color;
+	vec3 direction;
+	bool visible;
+};
+struct ReflectedLight {
+	vec3 directDiffuse;
+	vec3 directSpecular;
+	vec3 indirectDiffuse;
+	vec3 indirectSpecular;
+};
+#ifdef USE_ALPHAHASH
+	varying vec3 vPosition;
+#endif
+vec3 transformDirection( in vec3 dir, in mat4 matrix ) {
+	return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );
+}
+#define inverseTransformDirection transformDirectionByInverseViewMatrix
+vec3 transformNormalByInverseViewMatrix( in vec3 normal, in mat4 viewMatrix ) {
+	return normalize( ( vec4( normal, 0.0 ) * viewMatrix ).xyz );
+}
+vec3 transformDirectionByInverseViewMatrix( in vec3 dir, in mat4 viewMatrix ) {
+	return normalize( ( vec4( dir, 0.0 ) * viewMatrix ).xyz );
+}
+bool isPerspectiveMatrix( mat4 m ) {
+	return m[ 2 ][ 3 ] == - 1.0;
+}
+vec2 equirectUv( in vec3 dir ) {
+	float u = atan( dir.z, dir.x ) * RECIPROCAL_PI2 + 0.5;
+	float v = asin( clamp( dir.y, - 1.0, 1.0 ) ) * RECIPROCAL_PI + 0.5;
+	return vec2( u, v );
+}
+vec3 BRDF_Lambert( const in vec3 diffuseColor ) {
+	return RECIPROCAL_PI * diffuseColor;
+}
+vec3 F_Schlick( const in vec3 f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+}
+float F_Schlick( const in float f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+} // validated`,cm=`vec3 transformedNormal = objectNormal;
+#ifdef USE_TANGENT
+	vec3 transformedTangent = objectTangent;
+#endif
+#ifdef USE_BATCHING
+	mat3 bm = mat3( batchingMatrix );
+	transformedNormal /= vec3( dot( bm[ 0 ], bm[ 0 ] ), dot( bm[ 1 ], bm[ 1 ] ), dot( bm[ 2 ], bm[ 2 ] ) );
+	transformedNormal = bm * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = bm * transformedTangent;
+	#endif
+#endif
+#ifdef USE_INSTANCING
+	mat3 im = mat3( instanceMatrix );
+	transformedNormal /= vec3( dot( im[ 0 ], im[ 0 ] ), dot( im[ 1 ], im[ 1 ] ), dot( im[ 2 ], im[ 2 ] ) );
+	transformedNormal = im * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = im * transformedTangent;
+	#endif
+#endif
+transformedNormal = normalMatrix * transformedNormal;
+#ifdef FLIP_SIDED
+	transformedNormal = - transformedNormal;
+#endif
+#ifdef USE_TANGENT
+	transformedTangent = ( modelViewMatrix * vec4( transformedTangent, 0.0 ) ).xyz;
+#endif`,um=`#ifdef USE_DISPLACEMENTMAP
+	uniform sampler2D displacementMap;
+	uniform float displacementScale;
+	uniform float displacementBias;
+#endif`,hm=`#ifdef USE_DISPLACEMENTMAP
+	transformed += normalize( objectNormal ) * ( texture2D( displacementMap, vDisplacementMapUv ).x * displacementScale + displacementBias );
+#endif`,dm=`#ifdef USE_EMISSIVEMAP
+	vec4 emissiveColor = texture2D( emissiveMap, vEmissiveMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE_EMISSIVE
+		emissiveColor = sRGBTransferEOTF( emissiveColor );
+	#endif
+	totalEmissiveRadiance *= emissiveColor.rgb;
+#endif`,fm=`#ifdef USE_EMISSIVEMAP
+	uniform sampler2D emissiveMap;
+#endif`,pm="gl_FragColor = linearToOutputTexel( gl_FragColor );",mm=`vec4 LinearTransferOETF( in vec4 value ) {
+	return value;
+}
+vec4 sRGBTransferEOTF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), value.rgb * 0.0773993808, vec3( lessThanEqual( value.rgb, vec3( 0.04045 ) ) ) ), value.a );
+}
+vec4 sRGBTransferOETF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb, vec3( 0.41666 ) ) * 1.055 - vec3( 0.055 ), value.rgb * 12.92, vec3( lessThanEqual( value.rgb, vec3( 0.0031308 ) ) ) ), value.a );
+}`,gm=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vec3 cameraToFrag;
+		if ( isOrthographic ) {
+			cameraToFrag = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToFrag = normalize( vWorldPosition - cameraPosition );
+		}
+		vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vec3 reflectVec = reflect( cameraToFrag, worldNormal );
+		#else
+			vec3 reflectVec = refract( cameraToFrag, worldNormal, refractionRatio );
+		#endif
+	#else
+		vec3 reflectVec = vReflect;
+	#endif
+	#ifdef ENVMAP_TYPE_CUBE
+		vec4 envColor = textureCube( envMap, envMapRotation * reflectVec );
+		#ifdef ENVMAP_BLENDING_MULTIPLY
+			outgoingLight = mix( outgoingLight, outgoingLight * envColor.xyz, specularStrength * reflectivity );
+		#elif defined( ENVMAP_BLENDING_MIX )
+			outgoingLight = mix( outgoingLight, envColor.xyz, specularStrength * reflectivity );
+		#elif defined( ENVMAP_BLENDING_ADD )
+			outgoingLight += envColor.xyz * specularStrength * reflectivity;
+		#endif
+	#endif
+#endif`,_m=`#ifdef USE_ENVMAP
+	uniform float envMapIntensity;
+	uniform mat3 envMapRotation;
+	uniform samplerCube envMap;
+	#ifdef ENVMAP_TYPE_PMREM
+		float roughnessToMip( const in float roughness ) {
+			float r = clamp( roughness, 0.0, 1.0 );
+			return ENVMAP_MAX_LOD * r * ( 2.0 - r );
+		}
+	#endif
+#endif`,vm=`#ifdef USE_ENVMAP
+	uniform float reflectivity;
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		varying vec3 vWorldPosition;
+		uniform float refractionRatio;
+	#else
+		varying vec3 vReflect;
+	#endif
+#endif`,xm=`#ifdef USE_ENVMAP
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		
+		varying vec3 vWorldPosition;
+	#else
+		varying vec3 vReflect;
+		uniform float refractionRatio;
+	#endif
+#endif`,Sm=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vWorldPosition = worldPosition.xyz;
+	#else
+		vec3 cameraToVertex;
+		if ( isOrthographic ) {
+			cameraToVertex = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToVertex = normalize( worldPosition.xyz - cameraPosition );
+		}
+		vec3 worldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vReflect = reflect( cameraToVertex, worldNormal );
+		#else
+			vReflect = refract( cameraToVertex, worldNormal, refractionRatio );
+		#endif
+	#endif
+#endif`,Mm=`#ifdef USE_FOG
+	vFogDepth = - mvPosition.z;
+#endif`,ym=`#ifdef USE_FOG
+	varying float vFogDepth;
+#endif`,Em=`#ifdef USE_FOG
+	#ifdef FOG_EXP2
+		float fogFactor = 1.0 - exp( - fogDensity * fogDensity * vFogDepth * vFogDepth );
+	#else
+		float fogFactor = smoothstep( fogNear, fogFar, vFogDepth );
+	#endif
+	gl_FragColor.rgb = mix( gl_FragColor.rgb, fogColor, fogFactor );
+#endif`,bm=`#ifdef USE_FOG
+	uniform vec3 fogColor;
+	varying float vFogDepth;
+	#ifdef FOG_EXP2
+		uniform float fogDensity;
+	#else
+		uniform float fogNear;
+		uniform float fogFar;
+	#endif
+#endif`,wm=`#ifdef USE_GRADIENTMAP
+	uniform sampler2D gradientMap;
+#endif
+vec3 getGradientIrradiance( vec3 normal, vec3 lightDirection ) {
+	float dotNL = dot( normal, lightDirection );
+	vec2 coord = vec2( dotNL * 0.5 + 0.5, 0.0 );
+	#ifdef USE_GRADIENTMAP
+		return vec3( texture2D( gradientMap, coord ).r );
+	#else
+		vec2 fw = fwidth( coord ) * 0.5;
+		return mix( vec3( 0.7 ), vec3( 1.0 ), smoothstep( 0.7 - fw.x, 0.7 + fw.x, coord.x ) );
+	#endif
+}`,Tm=`#ifdef USE_LIGHTMAP
+	uniform sampler2D lightMap;
+	uniform float lightMapIntensity;
+#endif`,Am=`LambertMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularStrength = specularStrength;`,Rm=`varying vec3 vViewPosition;
+struct LambertMaterial {
+	vec3 diffuseColor;
+	float specularStrength;
+};
+void RE_Direct_Lambert( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Lambert( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Lambert
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Lambert`,Cm=`uniform bool receiveShadow;
+uniform vec3 ambientLightColor;
+#if defined( USE_LIGHT_PROBES )
+	uniform vec3 lightProbe[ 9 ];
+#endif
+vec3 shGetIrradianceAt( in vec3 normal, in vec3 shCoefficients[ 9 ] ) {
+	float x = normal.x, y = normal.y, z = normal.z;
+	vec3 result = shCoefficients[ 0 ] * 0.886227;
+	result += shCoefficients[ 1 ] * 2.0 * 0.511664 * y;
+	result += shCoefficients[ 2 ] * 2.0 * 0.511664 * z;
+	result += shCoefficients[ 3 ] * 2.0 * 0.511664 * x;
+	result += shCoefficients[ 4 ] * 2.0 * 0.429043 * x * y;
+	result += shCoefficients[ 5 ] * 2.0 * 0.429043 * y * z;
+	result += shCoefficients[ 6 ] * ( 0.743125 * z * z - 0.247708 );
+	result += shCoefficients[ 7 ] * 2.0 * 0.429043 * x * z;
+	result += shCoefficients[ 8 ] * 0.429043 * ( x * x - y * y );
+	return result;
+}
+vec3 getLightProbeIrradiance( const in vec3 lightProbe[ 9 ], const in vec3 normal ) {
+	vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+	vec3 irradiance = shGetIrradianceAt( worldNormal, lightProbe );
+	return irradiance;
+}
+vec3 getAmbientLightIrradiance( const in vec3 ambientLightColor ) {
+	vec3 irradiance = ambientLightColor;
+	return irradiance;
+}
+float getDistanceAttenuation( const in float lightDistance, const in float cutoffDistance, const in float decayExponent ) {
+	float distanceFalloff = 1.0 / max( pow( lightDistance, decayExponent ), 0.01 );
+	if ( cutoffDistance > 0.0 ) {
+		distanceFalloff *= pow2( saturate( 1.0 - pow4( lightDistance / cutoffDistance ) ) );
+	}
+	return distanceFalloff;
+}
+float getSpotAttenuation( const in float coneCosine, const in float penumbraCosine, const in float angleCosine ) {
+	return smoothstep( coneCosine, penumbraCosine, angleCosine );
+}
+#if NUM_SUN_LIGHTS > 0
+	struct SunLight {
+		vec3 direction;
+		vec3 color;
+	};
+	uniform SunLight sunLights[ NUM_SUN_LIGHTS ];
+	void getSunLightInfo( const in SunLight sunLight, out IncidentLight light ) {
+		light.color = sunLight.color;
+		light.direction = sunLight.direction;
+		light.visible = true;
+	}
+#endif
+#if NUM_DIR_LIGHTS > 0
+	struct DirectionalLight {
+		vec3 direction;
+		vec3 color;
+	};
+	uniform DirectionalLight directionalLights[ NUM_DIR_LIGHTS ];
+	void getDirectionalLightInfo( const in DirectionalLight directionalLight, out IncidentLight light ) {
+		light.color = directionalLight.color;
+		light.direction = directionalLight.direction;
+		light.visible = true;
+	}
+#endif
+#if NUM_POINT_LIGHTS > 0
+	struct PointLight {
+		vec3 position;
+		vec3 color;
+		float distance;
+		float decay;
+	};
+	uniform PointLight pointLights[ NUM_POINT_LIGHTS ];
+	void getPointLightInfo( const in PointLight pointLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = pointLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float lightDistance = length( lVector );
+		light.color = pointLight.color;
+		light.color *= getDistanceAttenuation( lightDistance, pointLight.distance, pointLight.decay );
+		light.visible = ( light.color != vec3( 0.0 ) );
+	}
+#endif
+#if NUM_SPOT_LIGHTS > 0
+	struct SpotLight {
+		vec3 position;
+		vec3 direction;
+		vec3 color;
+		float distance;
+		float decay;
+		float coneCos;
+		float penumbraCos;
+	};
+	uniform SpotLight spotLights[ NUM_SPOT_LIGHTS ];
+	void getSpotLightInfo( const in SpotLight spotLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = spotLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float angleCos = dot( light.direction, spotLight.direction );
+		float spotAttenuation = getSpotAttenuation( spotLight.coneCos, spotLight.penumbraCos, angleCos );
+		if ( spotAttenuation > 0.0 ) {
+			float lightDistance = length( lVector );
+			light.color = spotLight.color * spotAttenuation;
+			light.color *= getDistanceAttenuation( lightDistance, spotLight.distance, spotLight.decay );
+			light.visible = ( light.color != vec3( 0.0 ) );
+		} else {
+			light.color = vec3( 0.0 );
+			light.visible = false;
+		}
+	}
+#endif
+#if NUM_RECT_AREA_LIGHTS > 0
+	struct RectAreaLight {
+		vec3 color;
+		vec3 position;
+		vec3 halfWidth;
+		vec3 halfHeight;
+	};
+	uniform sampler2D ltc_1;	uniform sampler2D ltc_2;
+	uniform RectAreaLight rectAreaLights[ NUM_RECT_AREA_LIGHTS ];
+#endif
+#if NUM_HEMI_LIGHTS > 0
+	struct HemisphereLight {
+		vec3 direction;
+		vec3 skyColor;
+		vec3 groundColor;
+	};
+	uniform HemisphereLight hemisphereLights[ NUM_HEMI_LIGHTS ];
+	vec3 getHemisphereLightIrradiance( const in HemisphereLight hemiLight, const in vec3 normal ) {
+		float dotNL = dot( normal, hemiLight.direction );
+		float hemiDiffuseWeight = 0.5 * dotNL + 0.5;
+		vec3 irradiance = mix( hemiLight.groundColor, hemiLight.skyColor, hemiDiffuseWeight );
+		return irradiance;
+	}
+#endif
+#include <lightprobes_pars_fragment>`,Pm=`#ifdef USE_ENVMAP
+	vec3 getIBLIrradiance( const in vec3 normal ) {
+		#ifdef ENVMAP_TYPE_PMREM
+			vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+			vec4 envMapColor = textureLod( envMap, envMapRotation * worldNormal, ENVMAP_MAX_LOD );
+			return PI * envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	vec3 getIBLRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness ) {
+		#ifdef ENVMAP_TYPE_PMREM
+			vec3 reflectVec = reflect( - viewDir, normal );
+			reflectVec = normalize( mix( reflectVec, normal, pow4( roughness ) ) );
+			reflectVec = transformDirectionByInverseViewMatrix( reflectVec, viewMatrix );
+			vec4 envMapColor = textureLod( envMap, envMapRotation * reflectVec, roughnessToMip( roughness ) );
+			return envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	#ifdef USE_RETROREFLECTION
+		vec3 getIBLRetroRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness ) {
+			#ifdef ENVMAP_TYPE_PMREM
+				vec3 retroVec = normalize( mix( viewDir, normal, pow4( roughness ) ) );
+				retroVec = transformDirectionByInverseViewMatrix( retroVec, viewMatrix );
+				vec4 envMapColor = textureLod( envMap, envMapRotation * retroVec, roughnessToMip( roughness ) );
+				return envMapColor.rgb * envMapIntensity;
+			#else
+				return vec3( 0.0 );
+			#endif
+		}
+	#endif
+	#ifdef USE_ANISOTROPY
+		vec3 getIBLAnisotropyRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness, const in vec3 bitangent, const in float anisotropy ) {
+			#ifdef ENVMAP_TYPE_PMREM
+				vec3 bentNormal = cross( bitangent, viewDir );
+				bentNormal = normalize( cross( bentNormal, bitangent ) );
+				bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - roughness ) ) ) ) );
+				return getIBLRadiance( viewDir, bentNormal, roughness );
+			#else
+				return vec3( 0.0 );
+			#endif
+		}
+		#ifdef USE_RETROREFLECTION
+			vec3 getIBLAnisotropyRetroRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness, const in vec3 bitangent, const in float anisotropy ) {
+				#ifdef ENVMAP_TYPE_PMREM
+					vec3 bentNormal = cross( bitangent, viewDir );
+					bentNormal = normalize( cross( bentNormal, bitangent ) );
+					bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - roughness ) ) ) ) );
+					return getIBLRetroRadiance( viewDir, bentNormal, roughness );
+				#else
+					return vec3( 0.0 );
+				#endif
+			}
+		#endif
+	#endif
+#endif`,Lm=`ToonMaterial material;
+material.diffuseColor = diffuseColor.rgb;`,Dm=`varying vec3 vViewPosition;
+struct ToonMaterial {
+	vec3 diffuseColor;
+};
+void RE_Direct_Toon( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	vec3 irradiance = getGradientIrradiance( geometryNormal, directLight.direction ) * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Toon( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Toon
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Toon`,Im=`BlinnPhongMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularColor = specular;
+material.specularShininess = shininess;
+material.specularStrength = specularStrength;`,Nm=`varying vec3 vViewPosition;
+struct BlinnPhongMaterial {
+	vec3 diffuseColor;
+	vec3 specularColor;
+	float specularShininess;
+	float specularStrength;
+};
+void RE_Direct_BlinnPhong( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+	reflectedLight.directSpecular += irradiance * BRDF_BlinnPhong( directLight.direction, geometryViewDir, geometryNormal, material.specularColor, material.specularShininess ) * material.specularStrength;
+}
+void RE_IndirectDiffuse_BlinnPhong( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_BlinnPhong
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_BlinnPhong`,Um=`PhysicalMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.diffuseContribution = diffuseColor.rgb * ( 1.0 - metalnessFactor );
+material.metalness = metalnessFactor;
+vec3 dxy = max( abs( dFdx( nonPerturbedNormal ) ), abs( dFdy( nonPerturbedNormal ) ) );
+float geometryRoughness = max( max( dxy.x, dxy.y ), dxy.z );
+material.roughness = max( roughnessFactor, 0.045 );
+material.roughness += geometryRoughness;
+material.roughness = min( material.roughness, 1.0 );
+#ifdef USE_DIFFUSE_ROUGHNESS
+	float diffuseRoughnessFactor = diffuseRoughness;
+	#ifdef USE_DIFFUSE_ROUGHNESSMAP
+		diffuseRoughnessFactor *= texture2D( diffuseRoughnessMap, vDiffuseRoughnessMapUv ).r;
+	#endif
+	material.diffuseRoughness = saturate( diffuseRoughnessFactor );
+#endif
+#ifdef IOR
+	material.ior = ior;
+	#ifdef USE_SPECULAR
+		float specularIntensityFactor = specularIntensity;
+		vec3 specularColorFactor = specularColor;
+		#ifdef USE_SPECULAR_COLORMAP
+			specularColorFactor *= texture2D( specularColorMap, vSpecularColorMapUv ).rgb;
+		#endif
+		#ifdef USE_SPECULAR_INTENSITYMAP
+			specularIntensityFactor *= texture2D( specularIntensityMap, vSpecularIntensityMapUv ).a;
+		#endif
+		material.specularF90 = mix( specularIntensityFactor, 1.0, metalnessFactor );
+	#else
+		float specularIntensityFactor = 1.0;
+		vec3 specularColorFactor = vec3( 1.0 );
+		material.specularF90 = 1.0;
+	#endif
+	material.specularColor = min( pow2( ( material.ior - 1.0 ) / ( material.ior + 1.0 ) ) * specularColorFactor, vec3( 1.0 ) ) * specularIntensityFactor;
+	material.specularColorBlended = mix( material.specularColor, diffuseColor.rgb, metalnessFactor );
+#else
+	material.specularColor = vec3( 0.04 );
+	material.specularColorBlended = mix( material.specularColor, diffuseColor.rgb, metalnessFactor );
+	material.specularF90 = 1.0;
+#endif
+#ifdef USE_CLEARCOAT
+	material.clearcoat = clearcoat;
+	material.clearcoatRoughness = clearcoatRoughness;
+	material.clearcoatF0 = vec3( 0.04 );
+	material.clearcoatF90 = 1.0;
+	#ifdef USE_CLEARCOATMAP
+		material.clearcoat *= texture2D( clearcoatMap, vClearcoatMapUv ).x;
+	#endif
+	#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+		material.clearcoatRoughness *= texture2D( clearcoatRoughnessMap, vClearcoatRoughnessMapUv ).y;
+	#endif
+	material.clearcoat = saturate( material.clearcoat );	material.clearcoatRoughness = max( material.clearcoatRoughness, 0.045 );
+	material.clearcoatRoughness += geometryRoughness;
+	material.clearcoatRoughness = min( material.clearcoatRoughness, 1.0 );
+#endif
+#ifdef USE_DISPERSION
+	material.dispersion = dispersion;
+#endif
+#ifdef USE_RETROREFLECTION
+	material.retroreflectivity = retroreflectivity;
+#endif
+#ifdef USE_IRIDESCENCE
+	material.iridescence = iridescence;
+	material.iridescenceIOR = iridescenceIOR;
+	#ifdef USE_IRIDESCENCEMAP
+		material.iridescence *= texture2D( iridescenceMap, vIridescenceMapUv ).r;
+	#endif
+	#ifdef USE_IRIDESCENCE_THICKNESSMAP
+		material.iridescenceThickness = (iridescenceThicknessMaximum - iridescenceThicknessMinimum) * texture2D( iridescenceThicknessMap, vIridescenceThicknessMapUv ).g + iridescenceThicknessMinimum;
+	#else
+		material.iridescenceThickness = iridescenceThicknessMaximum;
+	#endif
+#endif
+#ifdef USE_SHEEN
+	material.sheenColor = sheenColor;
+	#ifdef USE_SHEEN_COLORMAP
+		material.sheenColor *= texture2D( sheenColorMap, vSheenColorMapUv ).rgb;
+	#endif
+	material.sheenRoughness = clamp( sheenRoughness, 0.0001, 1.0 );
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		material.sheenRoughness *= texture2D( sheenRoughnessMap, vSheenRoughnessMapUv ).a;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	#ifdef USE_ANISOTROPYMAP
+		mat2 anisotropyMat = mat2( anisotropyVector.x, anisotropyVector.y, - anisotropyVector.y, anisotropyVector.x );
+		vec3 anisotropyPolar = texture2D( anisotropyMap, vAnisotropyMapUv ).rgb;
+		vec2 anisotropyV = anisotropyMat * normalize( 2.0 * anisotropyPolar.rg - vec2( 1.0 ) ) * anisotropyPolar.b;
+	#else
+		vec2 anisotropyV = anisotropyVector;
+	#endif
+	material.anisotropy = length( anisotropyV );
+	if( material.anisotropy == 0.0 ) {
+		anisotropyV = vec2( 1.0, 0.0 );
+	} else {
+		anisotropyV /= material.anisotropy;
+		material.anisotropy = saturate( material.anisotropy );
+	}
+	material.alphaT = mix( pow2( material.roughness ), 1.0, pow2( material.anisotropy ) );
+	material.anisotropyT = tbn[ 0 ] * anisotropyV.x + tbn[ 1 ] * anisotropyV.y;
+	material.anisotropyB = tbn[ 1 ] * anisotropyV.x - tbn[ 0 ] * anisotropyV.y;
+#endif`,Fm=`uniform sampler2D dfgLUT;
+struct PhysicalMaterial {
+	vec3 diffuseColor;
+	vec3 diffuseContribution;
+	vec3 specularColor;
+	vec3 specularColorBlended;
+	float roughness;
+	float metalness;
+	float specularF90;
+	float dispersion;
+	vec2 dfg;
+	vec3 multiScatteringCompensation;
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float diffuseRoughness;
+	#endif
+	#ifdef USE_RETROREFLECTION
+		float retroreflectivity;
+	#endif
+	#ifdef USE_CLEARCOAT
+		float clearcoat;
+		float clearcoatRoughness;
+		vec3 clearcoatF0;
+		float clearcoatF90;
+	#endif
+	#ifdef USE_IRIDESCENCE
+		float iridescence;
+		float iridescenceIOR;
+		float iridescenceThickness;
+		vec3 iridescenceFresnel;
+		vec3 iridescenceF0Dielectric;
+		vec3 iridescenceF0Metallic;
+	#endif
+	#ifdef USE_SHEEN
+		vec3 sheenColor;
+		float sheenRoughness;
+	#endif
+	#ifdef IOR
+		float ior;
+	#endif
+	#ifdef USE_TRANSMISSION
+		float transmission;
+		float transmissionAlpha;
+		float thickness;
+		float attenuationDistance;
+		vec3 attenuationColor;
+	#endif
+	#ifdef USE_ANISOTROPY
+		float anisotropy;
+		float alphaT;
+		vec3 anisotropyT;
+		vec3 anisotropyB;
+	#endif
+};
+vec3 clearcoatSpecularDirect = vec3( 0.0 );
+vec3 clearcoatSpecularIndirect = vec3( 0.0 );
+vec3 sheenSpecularDirect = vec3( 0.0 );
+vec3 sheenSpecularIndirect = vec3(0.0 );
+vec3 Schlick_to_F0( const in vec3 f, const in float f90, const in float dotVH ) {
+    float x = clamp( 1.0 - dotVH, 0.0, 1.0 );
+    float x2 = x * x;
+    float x5 = clamp( x * x2 * x2, 0.0, 0.9999 );
+    return ( f - vec3( f90 ) * x5 ) / ( 1.0 - x5 );
+}
+#ifdef USE_DIFFUSE_ROUGHNESS
+	const float EON_EPSILON = 1e-7;
+	float FON_DirectionalAlbedo( const in float mu, const in float roughness, const in float A ) {
+		float muComp = 1.0 - mu;
+		float gOverPi = muComp * ( 0.0571085289 + muComp * ( 0.491881867 + muComp * ( - 0.332181442 + muComp * 0.0714429953 ) ) );
+		return A * ( 1.0 + roughness * gOverPi );
+	}
+	vec3 BRDF_EON( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 diffuseColor, const in float roughness ) {
+		vec3 rho = saturate( diffuseColor );
+		if ( roughness <= EON_EPSILON ) return BRDF_Lambert( rho );
+		float dotNL = saturate( dot( normal, lightDir ) );
+		float dotNV = saturate( dot( normal, viewDir ) );
+		float s = dot( lightDir, viewDir ) - dotNL * dotNV;
+		float sOverT = ( s > 0.0 ) ? s / max( max( dotNL, dotNV ), EON_EPSILON ) : s;
+		float A = 1.0 / ( 1.0 + ( 0.5 - 2.0 / ( 3.0 * PI ) ) * roughness );
+		vec3 singleScatter = rho * RECIPROCAL_PI * A * ( 1.0 + roughness * sOverT );
+		float averageAlbedo = A * ( 1.0 + ( 2.0 / 3.0 - 28.0 / ( 15.0 * PI ) ) * roughness );
+		float albedoV = FON_DirectionalAlbedo( dotNV, roughness, A );
+		float albedoL = FON_DirectionalAlbedo( dotNL, roughness, A );
+		vec3 rhoMultiScatter = rho * rho * averageAlbedo / max( vec3( EON_EPSILON ), vec3( 1.0 ) - rho * ( 1.0 - averageAlbedo ) );
+		vec3 multiScatter = rhoMultiScatter * RECIPROCAL_PI
+			* max( EON_EPSILON, 1.0 - albedoV )
+			* max( EON_EPSILON, 1.0 - albedoL )
+			/ max( EON_EPSILON, 1.0 - averageAlbedo );
+		return singleScatter + multiScatter;
+	}
+	vec3 EON_DirectionalAlbedo( const in vec3 diffuseColor, const in float roughness, const in float dotNV ) {
+		vec3 rho = saturate( diffuseColor );
+		if ( roughness <= EON_EPSILON ) return rho;
+		float A = 1.0 / ( 1.0 + ( 0.5 - 2.0 / ( 3.0 * PI ) ) * roughness );
+		float directionalAlbedo = FON_DirectionalAlbedo( dotNV, roughness, A );
+		float averageAlbedo = A * ( 1.0 + ( 2.0 / 3.0 - 28.0 / ( 15.0 * PI ) ) * roughness );
+		vec3 rhoMultiScatter = rho * rho * averageAlbedo / max( vec3( EON_EPSILON ), vec3( 1.0 ) - rho * ( 1.0 - averageAlbedo ) );
+		return rho * directionalAlbedo + rhoMultiScatter * ( 1.0 - directionalAlbedo );
+	}
+#endif
+float V_GGX_SmithCorrelated( const in float alpha, const in float dotNL, const in float dotNV ) {
+	float a2 = pow2( alpha );
+	float gv = dotNL * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNV ) );
+	float gl = dotNV * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNL ) );
+	return 0.5 / max( gv + gl, EPSILON );
+}
+float D_GGX( const in float alpha, const in float dotNH ) {
+	float a2 = pow2( alpha );
+	float denom = pow2( dotNH ) * ( a2 - 1.0 ) + 1.0;
+	return RECIPROCAL_PI * a2 / pow2( denom );
+}
+#ifdef USE_ANISOTROPY
+	float V_GGX_SmithCorrelated_Anisotropic( const in float alphaT, const in float alphaB, const in float dotTV, const in float dotBV, const in float dotTL, const in float dotBL, const in float dotNV, const in float dotNL ) {
+		float gv = dotNL * length( vec3( alphaT * dotTV, alphaB * dotBV, dotNV ) );
+		float gl = dotNV * length( vec3( alphaT * dotTL, alphaB * dotBL, dotNL ) );
+		return 0.5 / max( gv + gl, EPSILON );
+	}
+	float D_GGX_Anisotropic( const in float alphaT, const in float alphaB, const in float dotNH, const in float dotTH, const in float dotBH ) {
+		float a2 = alphaT * alphaB;
+		highp vec3 v = vec3( alphaB * dotTH, alphaT * dotBH, a2 * dotNH );
+		highp float v2 = dot( v, v );
+		float w2 = a2 / v2;
+		return RECIPROCAL_PI * a2 * pow2 ( w2 );
+	}
+#endif
+#ifdef USE_CLEARCOAT
+	vec3 BRDF_GGX_Clearcoat( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material) {
+		vec3 f0 = material.clearcoatF0;
+		float f90 = material.clearcoatF90;
+		float roughness = max( material.clearcoatRoughness, 0.045 );
+		float alpha = pow2( roughness );
+		vec3 halfDir = normalize( lightDir + viewDir );
+		float dotNL = saturate( dot( normal, lightDir ) );
+		float dotNV = saturate( dot( normal, viewDir ) );
+		float dotNH = saturate( dot( normal, halfDir ) );
+		float dotVH = saturate( dot( viewDir, halfDir ) );
+		vec3 F = F_Schlick( f0, f90, dotVH );
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+		return F * ( V * D );
+	}
+#endif
+vec3 BRDF_GGX( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material ) {
+	vec3 f0 = material.specularColorBlended;
+	float f90 = material.specularF90;
+	float roughness = max( material.roughness, 0.045 );
+	float alpha = pow2( roughness );
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( f0, f90, dotVH );
+	#ifdef USE_IRIDESCENCE
+		F = mix( F, material.iridescenceFresnel, material.iridescence );
+	#endif
+	#ifdef USE_ANISOTROPY
+		float dotTL = dot( material.anisotropyT, lightDir );
+		float dotTV = dot( material.anisotropyT, viewDir );
+		float dotTH = dot( material.anisotropyT, halfDir );
+		float dotBL = dot( material.anisotropyB, lightDir );
+		float dotBV = dot( material.anisotropyB, viewDir );
+		float dotBH = dot( material.anisotropyB, halfDir );
+		float alphaT = max( material.alphaT, alpha );
+		float V = V_GGX_SmithCorrelated_Anisotropic( alphaT, alpha, dotTV, dotBV, dotTL, dotBL, dotNV, dotNL );
+		float D = D_GGX_Anisotropic( alphaT, alpha, dotNH, dotTH, dotBH );
+	#else
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+	#endif
+	return F * ( V * D );
+}
+vec2 LTC_Uv( const in vec3 N, const in vec3 V, const in float roughness ) {
+	const float LUT_SIZE = 64.0;
+	const float LUT_SCALE = ( LUT_SIZE - 1.0 ) / LUT_SIZE;
+	const float LUT_BIAS = 0.5 / LUT_SIZE;
+	float dotNV = saturate( dot( N, V ) );
+	vec2 uv = vec2( roughness, sqrt( 1.0 - dotNV ) );
+	uv = uv * LUT_SCALE + LUT_BIAS;
+	return uv;
+}
+float LTC_ClippedSphereFormFactor( const in vec3 f ) {
+	float l = length( f );
+	return max( ( l * l + f.z ) / ( l + 1.0 ), 0.0 );
+}
+vec3 LTC_EdgeVectorFormFactor( const in vec3 v1, const in vec3 v2 ) {
+	float x = dot( v1, v2 );
+	float y = abs( x );
+	float a = 0.8543985 + ( 0.4965155 + 0.0145206 * y ) * y;
+	float b = 3.4175940 + ( 4.1616724 + y ) * y;
+	float v = a / b;
+	float theta_sintheta = ( x > 0.0 ) ? v : 0.5 * inversesqrt( max( 1.0 - x * x, 1e-7 ) ) - v;
+	return cross( v1, v2 ) * theta_sintheta;
+}
+vec3 LTC_Evaluate( const in vec3 N, const in vec3 V, const in vec3 P, const in mat3 mInv, const in vec3 rectCoords[ 4 ] ) {
+	vec3 v1 = rectCoords[ 1 ] - rectCoords[ 0 ];
+	vec3 v2 = rectCoords[ 3 ] - rectCoords[ 0 ];
+	vec3 lightNormal = cross( v1, v2 );
+	if( dot( lightNormal, P - rectCoords[ 0 ] ) < 0.0 ) return vec3( 0.0 );
+	vec3 T1, T2;
+	T1 = normalize( V - N * dot( V, N ) );
+	T2 = - cross( N, T1 );
+	mat3 mat = mInv * transpose( mat3( T1, T2, N ) );
+	vec3 coords[ 4 ];
+	coords[ 0 ] = mat * ( rectCoords[ 0 ] - P );
+	coords[ 1 ] = mat * ( rectCoords[ 1 ] - P );
+	coords[ 2 ] = mat * ( rectCoords[ 2 ] - P );
+	coords[ 3 ] = mat * ( rectCoords[ 3 ] - P );
+	coords[ 0 ] = normalize( coords[ 0 ] );
+	coords[ 1 ] = normalize( coords[ 1 ] );
+	coords[ 2 ] = normalize( coords[ 2 ] );
+	coords[ 3 ] = normalize( coords[ 3 ] );
+	vec3 vectorFormFactor = vec3( 0.0 );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 0 ], coords[ 1 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 1 ], coords[ 2 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 2 ], coords[ 3 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 3 ], coords[ 0 ] );
+	float result = LTC_ClippedSphereFormFactor( vectorFormFactor );
+	return vec3( result );
+}
+#if defined( USE_SHEEN )
+float D_Charlie( float roughness, float dotNH ) {
+	float alpha = pow2( roughness );
+	float invAlpha = 1.0 / alpha;
+	float cos2h = dotNH * dotNH;
+	float sin2h = max( 1.0 - cos2h, 0.0078125 );
+	return ( 2.0 + invAlpha ) * pow( sin2h, invAlpha * 0.5 ) / ( 2.0 * PI );
+}
+float V_Neubelt( float dotNV, float dotNL ) {
+	return saturate( 1.0 / ( 4.0 * ( dotNL + dotNV - dotNL * dotNV ) ) );
+}
+vec3 BRDF_Sheen( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, vec3 sheenColor, const in float sheenRoughness ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float D = D_Charlie( sheenRoughness, dotNH );
+	float V = V_Neubelt( dotNV, dotNL );
+	return sheenColor * ( D * V );
+}
+#endif
+float IBLSheenBRDF( const in vec3 normal, const in vec3 viewDir, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float r2 = roughness * roughness;
+	float rInv = 1.0 / ( roughness + 0.1 );
+	float a = -1.9362 + 1.0678 * roughness + 0.4573 * r2 - 0.8469 * rInv;
+	float b = -0.6014 + 0.5538 * roughness - 0.4670 * r2 - 0.1255 * rInv;
+	float DG = exp( a * dotNV + b );
+	return saturate( DG );
+}
+vec3 EnvironmentBRDF( const in vec3 normal, const in vec3 viewDir, const in vec3 specularColor, const in float specularF90, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	vec2 fab = texture2D( dfgLUT, vec2( roughness, dotNV ) ).rg;
+	return specularColor * fab.x + specularF90 * fab.y;
+}
+#ifdef USE_IRIDESCENCE
+void computeMultiscatteringIridescence( const in vec2 fab, const in vec3 specularColor, const in float specularF90, const in float iridescence, const in vec3 iridescenceF0, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#else
+void computeMultiscattering( const in vec2 fab, const in vec3 specularColor, const in float specularF90, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#endif
+	#ifdef USE_IRIDESCENCE
+		vec3 Fr = mix( specularColor, iridescenceF0, iridescence );
+	#else
+		vec3 Fr = specularColor;
+	#endif
+	vec3 FssEss = Fr * fab.x + specularF90 * fab.y;
+	float Ess = fab.x + fab.y;
+	float Ems = 1.0 - Ess;
+	vec3 Favg = Fr + ( 1.0 - Fr ) * 0.047619;	vec3 Fms = FssEss * Favg / ( 1.0 - Ems * Favg );
+	singleScatter += FssEss;
+	multiScatter += Fms * Ems;
+}
+#if NUM_RECT_AREA_LIGHTS > 0
+	void RE_Direct_RectArea_Physical( const in RectAreaLight rectAreaLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+		vec3 normal = geometryNormal;
+		vec3 viewDir = geometryViewDir;
+		vec3 position = geometryPosition;
+		vec3 lightPos = rectAreaLight.position;
+		vec3 halfWidth = rectAreaLight.halfWidth;
+		vec3 halfHeight = rectAreaLight.halfHeight;
+		vec3 lightColor = rectAreaLight.color;
+		float roughness = material.roughness;
+		vec3 rectCoords[ 4 ];
+		rectCoords[ 0 ] = lightPos + halfWidth - halfHeight;		rectCoords[ 1 ] = lightPos - halfWidth - halfHeight;
+		rectCoords[ 2 ] = lightPos - halfWidth + halfHeight;
+		rectCoords[ 3 ] = lightPos + halfWidth + halfHeight;
+		vec2 uv = LTC_Uv( normal, viewDir, roughness );
+		vec4 t1 = texture2D( ltc_1, uv );
+		vec4 t2 = texture2D( ltc_2, uv );
+		mat3 mInv = mat3(
+			vec3( t1.x, 0, t1.y ),
+			vec3(    0, 1,    0 ),
+			vec3( t1.z, 0, t1.w )
+		);
+		vec3 fresnel = ( material.specularColorBlended * t2.x + ( material.specularF90 - material.specularColorBlended ) * t2.y );
+		reflectedLight.directSpecular += lightColor * fresnel * LTC_Evaluate( normal, viewDir, position, mInv, rectCoords );
+		reflectedLight.directDiffuse += lightColor * material.diffuseContribution * LTC_Evaluate( normal, viewDir, position, mat3( 1.0 ), rectCoords );
+		#ifdef USE_CLEARCOAT
+			vec3 Ncc = geometryClearcoatNormal;
+			vec2 uvClearcoat = LTC_Uv( Ncc, viewDir, material.clearcoatRoughness );
+			vec4 t1Clearcoat = texture2D( ltc_1, uvClearcoat );
+			vec4 t2Clearcoat = texture2D( ltc_2, uvClearcoat );
+			mat3 mInvClearcoat = mat3(
+				vec3( t1Clearcoat.x, 0, t1Clearcoat.y ),
+				vec3(             0, 1,             0 ),
+				vec3( t1Clearcoat.z, 0, t1Clearcoat.w )
+			);
+			vec3 fresnelClearcoat = material.clearcoatF0 * t2Clearcoat.x + ( material.clearcoatF90 - material.clearcoatF0 ) * t2Clearcoat.y;
+			clearcoatSpecularDirect += lightColor * fresnelClearcoat * LTC_Evaluate( Ncc, viewDir, position, mInvClearcoat, rectCoords );
+		#endif
+	}
+#endif
+void RE_Direct_Physical( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	#ifdef USE_CLEARCOAT
+		float dotNLcc = saturate( dot( geometryClearcoatNormal, directLight.direction ) );
+		vec3 ccIrradiance = dotNLcc * directLight.color;
+		clearcoatSpecularDirect += ccIrradiance * BRDF_GGX_Clearcoat( directLight.direction, geometryViewDir, geometryClearcoatNormal, material );
+	#endif
+	#ifdef USE_SHEEN
+ 
+ 		sheenSpecularDirect += irradiance * BRDF_Sheen( directLight.direction, geometryViewDir, geometryNormal, material.sheenColor, material.sheenRoughness );
+ 
+ 		float sheenAlbedoV = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+ 		float sheenAlbedoL = IBLSheenBRDF( geometryNormal, directLight.direction, material.sheenRoughness );
+ 
+ 		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * max( sheenAlbedoV, sheenAlbedoL );
+ 
+ 		irradiance *= sheenEnergyComp;
+ 
+ 	#endif
+	vec3 specularBRDF = BRDF_GGX( directLight.direction, geometryViewDir, geometryNormal, material );
+	#ifdef USE_RETROREFLECTION
+		vec3 retroViewDir = reflect( - geometryViewDir, geometryNormal );
+		vec3 retroSpecularBRDF = BRDF_GGX( directLight.direction, retroViewDir, geometryNormal, material );
+		specularBRDF = mix( specularBRDF, retroSpecularBRDF, saturate( material.retroreflectivity ) );
+	#endif
+	reflectedLight.directSpecular += irradiance * specularBRDF * material.multiScatteringCompensation;
+	vec3 halfDir = normalize( directLight.direction + geometryViewDir );
+	float dotVH = saturate( dot( geometryViewDir, halfDir ) );
+	vec3 F = F_Schlick( material.specularColor, material.specularF90, dotVH );
+	#ifdef USE_RETROREFLECTION
+		vec3 retroHalfDir = normalize( directLight.direction + retroViewDir );
+		float dotRetroVH = saturate( dot( retroViewDir, retroHalfDir ) );
+		vec3 retroF = F_Schlick( material.specularColor, material.specularF90, dotRetroVH );
+		F = mix( F, retroF, saturate( material.retroreflectivity ) );
+	#endif
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		vec3 diffuseBRDF = BRDF_EON( directLight.direction, geometryViewDir, geometryNormal, material.diffuseColor, material.diffuseRoughness ) * ( 1.0 - material.metalness );
+	#else
+		vec3 diffuseBRDF = BRDF_Lambert( material.diffuseContribution );
+	#endif
+	reflectedLight.directDiffuse += irradiance * diffuseBRDF * ( 1.0 - F );
+}
+void RE_IndirectDiffuse_Physical( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	vec3 singleScattering = vec3( 0.0 );
+	vec3 multiScattering = vec3( 0.0 );
+	#ifdef USE_IRIDESCENCE
+		computeMultiscatteringIridescence( material.dfg, material.specularColor, material.specularF90, material.iridescence, material.iridescenceF0Dielectric, singleScattering, multiScattering );
+	#else
+		computeMultiscattering( material.dfg, material.specularColor, material.specularF90, singleScattering, multiScattering );
+	#endif
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		vec3 diffuseAlbedo = EON_DirectionalAlbedo( material.diffuseColor, material.diffuseRoughness, dotNV ) * ( 1.0 - material.metalness );
+		vec3 diffuse = irradiance * RECIPROCAL_PI * diffuseAlbedo * ( 1.0 - singleScattering - multiScattering );
+	#else
+		vec3 diffuse = irradiance * BRDF_Lambert( material.diffuseContribution ) * ( 1.0 - singleScattering - multiScattering );
+	#endif
+	#ifdef USE_SHEEN
+		float sheenAlbedo = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+		sheenSpecularIndirect += irradiance * material.sheenColor * sheenAlbedo * RECIPROCAL_PI;
+		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * sheenAlbedo;
+		diffuse *= sheenEnergyComp;
+	#endif
+	reflectedLight.indirectDiffuse += diffuse;
+}
+void RE_IndirectSpecular_Physical( const in vec3 radiance, const in vec3 irradiance, const in vec3 clearcoatRadiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight) {
+	#ifdef USE_CLEARCOAT
+		clearcoatSpecularIndirect += clearcoatRadiance * EnvironmentBRDF( geometryClearcoatNormal, geometryViewDir, material.clearcoatF0, material.clearcoatF90, material.clearcoatRoughness );
+	#endif
+	#ifdef USE_SHEEN
+		sheenSpecularIndirect += irradiance * material.sheenColor * IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness ) * RECIPROCAL_PI;
+ 	#endif
+	vec3 singleScatteringDielectric = vec3( 0.0 );
+	vec3 multiScatteringDielectric = vec3( 0.0 );
+	vec3 singleScatteringMetallic = vec3( 0.0 );
+	vec3 multiScatteringMetallic = vec3( 0.0 );
+	#ifdef USE_IRIDESCENCE
+		computeMultiscatteringIridescence( material.dfg, material.specularColor, material.specularF90, material.iridescence, material.iridescenceF0Dielectric, singleScatteringDielectric, multiScatteringDielectric );
+		computeMultiscatteringIridescence( material.dfg, material.diffuseColor, material.specularF90, material.iridescence, material.iridescenceF0Metallic, singleScatteringMetallic, multiScatteringMetallic );
+	#else
+		computeMultiscattering( material.dfg, material.specularColor, material.specularF90, singleScatteringDielectric, multiScatteringDielectric );
+		computeMultiscattering( material.dfg, material.diffuseColor, material.specularF90, singleScatteringMetallic, multiScatteringMetallic );
+	#endif
+	vec3 singleScattering = mix( singleScatteringDielectric, singleScatteringMetallic, material.metalness );
+	vec3 multiScattering = mix( multiScatteringDielectric, multiScatteringMetallic, material.metalness );
+	vec3 totalScatteringDielectric = singleScatteringDielectric + multiScatteringDielectric;
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		vec3 diffuse = EON_DirectionalAlbedo( material.diffuseColor, material.diffuseRoughness, dotNV ) * ( 1.0 - material.metalness ) * ( 1.0 - totalScatteringDielectric );
+	#else
+		vec3 diffuse = material.diffuseContribution * ( 1.0 - totalScatteringDielectric );
+	#endif
+	vec3 cosineWeightedIrradiance = irradiance * RECIPROCAL_PI;
+	vec3 indirectSpecular = radiance * singleScattering;
+	indirectSpecular += multiScattering * cosineWeightedIrradiance;
+	vec3 indirectDiffuse = diffuse * cosineWeightedIrradiance;
+	#ifdef USE_SHEEN
+		float sheenAlbedo = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * sheenAlbedo;
+		indirectSpecular *= sheenEnergyComp;
+		indirectDiffuse *= sheenEnergyComp;
+	#endif
+	reflectedLight.indirectSpecular += indirectSpecular;
+	reflectedLight.indirectDiffuse += indirectDiffuse;
+}
+#define RE_Direct				RE_Direct_Physical
+#define RE_Direct_RectArea		RE_Direct_RectArea_Physical
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Physical
+#define RE_IndirectSpecular		RE_IndirectSpecular_Physical
+float computeSpecularOcclusion( const in float dotNV, const in float ambientOcclusion, const in float roughness ) {
+	return saturate( pow( dotNV + ambientOcclusion, exp2( - 16.0 * roughness - 1.0 ) ) - 1.0 + ambientOcclusion );
+}`,Om=`
+vec3 geometryPosition = - vViewPosition;
+vec3 geometryNormal = normal;
+vec3 geometryViewDir = ( isOrthographic ) ? vec3( 0, 0, 1 ) : normalize( vViewPosition );
+vec3 geometryClearcoatNormal = vec3( 0.0 );
+#ifdef USE_CLEARCOAT
+	geometryClearcoatNormal = clearcoatNormal;
+#endif
+#ifdef USE_IRIDESCENCE
+	float dotNVi = saturate( dot( normal, geometryViewDir ) );
+	if ( material.iridescenceThickness == 0.0 ) {
+		material.iridescence = 0.0;
+	} else {
+		material.iridescence = saturate( material.iridescence );
+	}
+	if ( material.iridescence > 0.0 ) {
+		vec3 iridescenceFresnelDielectric = evalIridescence( 1.0, material.iridescenceIOR, dotNVi, material.iridescenceThickness, material.specularColor );
+		vec3 iridescenceFresnelMetallic = evalIridescence( 1.0, material.iridescenceIOR, dotNVi, material.iridescenceThickness, material.diffuseColor );
+		material.iridescenceFresnel = mix( iridescenceFresnelDielectric, iridescenceFresnelMetallic, material.metalness );
+		material.iridescenceF0Dielectric = Schlick_to_F0( iridescenceFresnelDielectric, 1.0, dotNVi );
+		material.iridescenceF0Metallic = Schlick_to_F0( iridescenceFresnelMetallic, 1.0, dotNVi );
+	}
+#endif
+#ifdef STANDARD
+	float dotNVms = saturate( dot( geometryNormal, geometryViewDir ) );
+	material.dfg = texture2D( dfgLUT, vec2( material.roughness, dotNVms ) ).rg;
+	#if ( NUM_SUN_LIGHTS > 0 || NUM_DIR_LIGHTS > 0 || NUM_POINT_LIGHTS > 0 || NUM_SPOT_LIGHTS > 0 )
+		float EssMs = material.dfg.x + material.dfg.y;
+		material.multiScatteringCompensation = 1.0 + material.specularColorBlended * ( 1.0 / EssMs - 1.0 );
+	#endif
+#endif
+IncidentLight directLight;
+#if ( NUM_POINT_LIGHTS > 0 ) && defined( RE_Direct )
+	PointLight pointLight;
+	#if defined( USE_SHADOWMAP ) && NUM_POINT_LIGHT_SHADOWS > 0
+	PointLightShadow pointLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHTS; i ++ ) {
+		pointLight = pointLights[ i ];
+		getPointLightInfo( pointLight, geometryPosition, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_POINT_LIGHT_SHADOWS ) && ( defined( SHADOWMAP_TYPE_PCF ) || defined( SHADOWMAP_TYPE_BASIC ) )
+		pointLightShadow = pointLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getPointShadow( pointShadowMap[ i ], pointLightShadow.shadowMapSize, pointLightShadow.shadowIntensity, pointLightShadow.shadowBias, pointLightShadow.shadowRadius, vPointShadowCoord[ i ], pointLightShadow.shadowCameraNear, pointLightShadow.shadowCameraFar ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_SPOT_LIGHTS > 0 ) && defined( RE_Direct )
+	SpotLight spotLight;
+	vec4 spotColor;
+	vec3 spotLightCoord;
+	bool inSpotLightMap;
+	#if defined( USE_SHADOWMAP ) && NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHTS; i ++ ) {
+		spotLight = spotLights[ i ];
+		getSpotLightInfo( spotLight, geometryPosition, directLight );
+		#if ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#define SPOT_LIGHT_MAP_INDEX UNROLLED_LOOP_INDEX
+		#elif ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		#define SPOT_LIGHT_MAP_INDEX NUM_SPOT_LIGHT_MAPS
+		#else
+		#define SPOT_LIGHT_MAP_INDEX ( UNROLLED_LOOP_INDEX - NUM_SPOT_LIGHT_SHADOWS + NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#endif
+		#if ( SPOT_LIGHT_MAP_INDEX < NUM_SPOT_LIGHT_MAPS )
+			spotLightCoord = vSpotLightCoord[ i ].xyz / vSpotLightCoord[ i ].w;
+			inSpotLightMap = all( lessThan( abs( spotLightCoord * 2. - 1. ), vec3( 1.0 ) ) );
+			spotColor = texture2D( spotLightMap[ SPOT_LIGHT_MAP_INDEX ], spotLightCoord.xy );
+			directLight.color = inSpotLightMap ? directLight.color * spotColor.rgb : directLight.color;
+		#endif
+		#undef SPOT_LIGHT_MAP_INDEX
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		spotLightShadow = spotLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( spotShadowMap[ i ], spotLightShadow.shadowMapSize, spotLightShadow.shadowIntensity, spotLightShadow.shadowBias, spotLightShadow.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_SUN_LIGHTS > 0 ) && defined( RE_Direct )
+	SunLight sunLight;
+	#if defined( USE_SHADOWMAP ) && NUM_SUN_LIGHT_SHADOWS > 0
+	SunLightShadow sunLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SUN_LIGHTS; i ++ ) {
+		sunLight = sunLights[ i ];
+		getSunLightInfo( sunLight, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_SUN_LIGHT_SHADOWS )
+		sunLightShadow = sunLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getSunShadow( sunShadowMap[ i ], sunLightShadow, UNROLLED_LOOP_INDEX ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_DIR_LIGHTS > 0 ) && defined( RE_Direct )
+	DirectionalLight directionalLight;
+	#if defined( USE_SHADOWMAP ) && NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHTS; i ++ ) {
+		directionalLight = directionalLights[ i ];
+		getDirectionalLightInfo( directionalLight, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_DIR_LIGHT_SHADOWS )
+		directionalLightShadow = directionalLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( directionalShadowMap[ i ], directionalLightShadow.shadowMapSize, directionalLightShadow.shadowIntensity, directionalLightShadow.shadowBias, directionalLightShadow.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_RECT_AREA_LIGHTS > 0 ) && defined( RE_Direct_RectArea )
+	RectAreaLight rectAreaLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_RECT_AREA_LIGHTS; i ++ ) {
+		rectAreaLight = rectAreaLights[ i ];
+		RE_Direct_RectArea( rectAreaLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if defined( RE_IndirectDiffuse )
+	vec3 iblIrradiance = vec3( 0.0 );
+	vec3 irradiance = getAmbientLightIrradiance( ambientLightColor );
+	#if defined( USE_LIGHT_PROBES )
+		irradiance += getLightProbeIrradiance( lightProbe, geometryNormal );
+	#endif
+	#if ( NUM_HEMI_LIGHTS > 0 )
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_HEMI_LIGHTS; i ++ ) {
+			irradiance += getHemisphereLightIrradiance( hemisphereLights[ i ], geometryNormal );
+		}
+		#pragma unroll_loop_end
+	#endif
+	#if NUM_LIGHT_PROBE_GRIDS > 0
+		vec3 probeWorldPos = ( ( vec4( geometryPosition, 1.0 ) - viewMatrix[ 3 ] ) * viewMatrix ).xyz;
+		vec3 probeWorldNormal = transformNormalByInverseViewMatrix( geometryNormal, viewMatrix );
+		int probeGrid = - 1;
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {
+			if ( isInsideLightProbeGrid( probeWorldPos, probeWorldNormal, probesMin[ i ], probesMax[ i ], probesResolution[ i ] ) ) probeGrid = UNROLLED_LOOP_INDEX;
+		}
+		#pragma unroll_loop_end
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {
+			if ( probeGrid == UNROLLED_LOOP_INDEX ) irradiance += getLightProbeGridIrradiance( probesSH[ i ], probesMin[ i ], probesMax[ i ], probesResolution[ i ], probeWorldPos, probeWorldNormal );
+		}
+		#pragma unroll_loop_end
+	#endif
+#endif
+#if defined( RE_IndirectSpecular )
+	vec3 radiance = vec3( 0.0 );
+	vec3 clearcoatRadiance = vec3( 0.0 );
+#endif`,Bm=`#if defined( RE_IndirectDiffuse )
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		vec3 lightMapIrradiance = lightMapTexel.rgb * lightMapIntensity;
+		irradiance += lightMapIrradiance;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( ENVMAP_TYPE_PMREM )
+		#if defined( STANDARD ) || defined( LAMBERT ) || defined( PHONG )
+			iblIrradiance += getIBLIrradiance( geometryNormal );
+		#endif
+	#endif
+#endif
+#if defined( USE_ENVMAP ) && defined( RE_IndirectSpecular )
+	#ifdef USE_ANISOTROPY
+		vec3 iblRadiance = getIBLAnisotropyRadiance( geometryViewDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );
+	#else
+		vec3 iblRadiance = getIBLRadiance( geometryViewDir, geometryNormal, material.roughness );
+	#endif
+	#ifdef USE_RETROREFLECTION
+		#ifdef USE_ANISOTROPY
+			vec3 retroIBLRadiance = getIBLAnisotropyRetroRadiance( geometryViewDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );
+		#else
+			vec3 retroIBLRadiance = getIBLRetroRadiance( geometryViewDir, geometryNormal, material.roughness );
+		#endif
+		iblRadiance = mix( iblRadiance, retroIBLRadiance, saturate( material.retroreflectivity ) );
+	#endif
+	radiance += iblRadiance;
+	#ifdef USE_CLEARCOAT
+		clearcoatRadiance += getIBLRadiance( geometryViewDir, geometryClearcoatNormal, material.clearcoatRoughness );
+	#endif
+#endif`,km=`#if defined( RE_IndirectDiffuse )
+	#if defined( LAMBERT ) || defined( PHONG )
+		irradiance += iblIrradiance;
+	#endif
+	RE_IndirectDiffuse( irradiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif
+#if defined( RE_IndirectSpecular )
+	RE_IndirectSpecular( radiance, iblIrradiance, clearcoatRadiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif`,zm=`#if NUM_LIGHT_PROBE_GRIDS > 0
+uniform highp sampler3D probesSH[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesMin[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesMax[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesResolution[ NUM_LIGHT_PROBE_GRIDS ];
+bool isInsideLightProbeGrid( vec3 worldPos, vec3 worldNormal, vec3 probesMin, vec3 probesMax, vec3 probesResolution ) {
+	vec3 spacing = ( probesMax - probesMin ) / probesResolution;
+	vec3 samplePos = worldPos + worldNormal * spacing * 0.5;
+	vec3 margin = spacing * 0.01;
+	return all( greaterThanEqual( samplePos, probesMin - margin ) ) && all( lessThanEqual( samplePos, probesMax + margin ) );
+}
+vec3 getLightProbeGridIrradiance( highp sampler3D probesSH, vec3 probesMin, vec3 probesMax, vec3 probesResolution, vec3 worldPos, vec3 worldNormal ) {
+	vec3 res = probesResolution;
+	vec3 gridRange = probesMax - probesMin;
+	vec3 probeSpacing = gridRange / res;
+	vec3 samplePos = worldPos + worldNormal * probeSpacing * 0.5;
+	vec3 uvw = clamp( ( samplePos - probesMin ) / gridRange, 0.5 / res, 1.0 - 0.5 / res );
+	float nz          = res.z;
+	float paddedSlices = nz + 2.0;
+	float atlasDepth  = 7.0 * paddedSlices;
+	float uvZBase     = uvw.z * nz + 1.0;
+	vec4 s0 = texture( probesSH, vec3( uvw.xy, ( uvZBase                       ) / atlasDepth ) );
+	vec4 s1 = texture( probesSH, vec3( uvw.xy, ( uvZBase +       paddedSlices   ) / atlasDepth ) );
+	vec4 s2 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 2.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s3 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 3.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s4 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 4.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s5 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 5.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s6 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 6.0 * paddedSlices   ) / atlasDepth ) );
+	vec3 c0 = s0.xyz;
+	vec3 c1 = vec3( s0.w, s1.xy );
+	vec3 c2 = vec3( s1.zw, s2.x );
+	vec3 c3 = s2.yzw;
+	vec3 c4 = s3.xyz;
+	vec3 c5 = vec3( s3.w, s4.xy );
+	vec3 c6 = vec3( s4.zw, s5.x );
+	vec3 c7 = s5.yzw;
+	vec3 c8 = s6.xyz;
+	float x = worldNormal.x, y = worldNormal.y, z = worldNormal.z;
+	vec3 result = c0 * 0.886227;
+	result += c1 * 2.0 * 0.511664 * y;
+	result += c2 * 2.0 * 0.511664 * z;
+	result += c3 * 2.0 * 0.511664 * x;
+	result += c4 * 2.0 * 0.429043 * x * y;
+	result += c5 * 2.0 * 0.429043 * y * z;
+	result += c6 * ( 0.743125 * z * z - 0.247708 );
+	result += c7 * 2.0 * 0.429043 * x * z;
+	result += c8 * 0.429043 * ( x * x - y * y );
+	return max( result, vec3( 0.0 ) );
+}
+#endif`,Gm=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	gl_FragDepth = vIsPerspective == 0.0 ? gl_FragCoord.z : log2( vFragDepth ) * logDepthBufFC * 0.5;
+#endif`,Hm=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	uniform float logDepthBufFC;
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,Vm=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,Wm=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	vFragDepth = 1.0 + gl_Position.w;
+	vIsPerspective = float( isPerspectiveMatrix( projectionMatrix ) );
+#endif`,Xm=`#ifdef USE_MAP
+	vec4 sampledDiffuseColor = texture2D( map, vMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		sampledDiffuseColor = sRGBTransferEOTF( sampledDiffuseColor );
+	#endif
+	diffuseColor *= sampledDiffuseColor;
+#endif`,$m=`#ifdef USE_MAP
+	uniform sampler2D map;
+#endif`,qm=`#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+	#if defined( USE_POINTS_UV )
+		vec2 uv = vUv;
+	#else
+		vec2 uv = ( uvTransform * vec3( gl_PointCoord.x, 1.0 - gl_PointCoord.y, 1 ) ).xy;
+	#endif
+#endif
+#ifdef USE_MAP
+	diffuseColor *= texture2D( map, uv );
+#endif
+#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, uv ).g;
+#endif`,Ym=`#if defined( USE_POINTS_UV )
+	varying vec2 vUv;
+#else
+	#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+		uniform mat3 uvTransform;
+	#endif
+#endif
+#ifdef USE_MAP
+	uniform sampler2D map;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,Km=`float metalnessFactor = metalness;
+#ifdef USE_METALNESSMAP
+	vec4 texelMetalness = texture2D( metalnessMap, vMetalnessMapUv );
+	metalnessFactor *= texelMetalness.b;
+#endif`,Zm=`#ifdef USE_METALNESSMAP
+	uniform sampler2D metalnessMap;
+#endif`,Jm=`#ifdef USE_INSTANCING_MORPH
+	float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	float morphTargetBaseInfluence = texelFetch( morphTexture, ivec2( 0, gl_InstanceID ), 0 ).r;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		morphTargetInfluences[i] =  texelFetch( morphTexture, ivec2( i + 1, gl_InstanceID ), 0 ).r;
+	}
+#endif`,Qm=`#if defined( USE_MORPHCOLORS )
+	#if defined( USE_COLOR_ALPHA )
+		vColor *= morphTargetBaseInfluence;
+	#elif defined( USE_COLOR )
+		vColor.rgb *= morphTargetBaseInfluence;
+	#endif
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		#if defined( USE_COLOR_ALPHA )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor += getMorph( gl_VertexID, i, 2 ) * morphTargetInfluences[ i ];
+		#elif defined( USE_COLOR )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor.rgb += getMorph( gl_VertexID, i, 2 ).rgb * morphTargetInfluences[ i ];
+		#endif
+	}
+#endif`,jm=`#ifdef USE_MORPHNORMALS
+	objectNormal *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) objectNormal += getMorph( gl_VertexID, i, 1 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,eg=`#ifdef USE_MORPHTARGETS
+	#ifndef USE_INSTANCING_MORPH
+		uniform float morphTargetBaseInfluence;
+		uniform float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	#endif
+	uniform sampler2DArray morphTargetsTexture;
+	uniform ivec2 morphTargetsTextureSize;
+	vec4 getMorph( const in int vertexIndex, const in int morphTargetIndex, const in int offset ) {
+		int texelIndex = vertexIndex * MORPHTARGETS_TEXTURE_STRIDE + offset;
+		int y = texelIndex / morphTargetsTextureSize.x;
+		int x = texelIndex - y * morphTargetsTextureSize.x;
+		ivec3 morphUV = ivec3( x, y, morphTargetIndex );
+		return texelFetch( morphTargetsTexture, morphUV, 0 );
+	}
+#endif`,tg=`#ifdef USE_MORPHTARGETS
+	transformed *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) transformed += getMorph( gl_VertexID, i, 0 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,ng=`float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;
+#ifdef FLAT_SHADED
+	vec3 fdx = dFdx( vViewPosition );
+	vec3 fdy = dFdy( vViewPosition );
+	vec3 normal = normalize( cross( fdx, fdy ) );
+#else
+	vec3 normal = normalize( vNormal );
+	#ifdef DOUBLE_SIDED
+		normal *= faceDirection;
+	#endif
+#endif
+#if defined( USE_NORMALMAP_TANGENTSPACE ) || defined( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY )
+	#ifdef USE_TANGENT
+		mat3 tbn = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn = getTangentFrame( - vViewPosition, normal,
+		#if defined( USE_NORMALMAP )
+			vNormalMapUv
+		#elif defined( USE_CLEARCOAT_NORMALMAP )
+			vClearcoatNormalMapUv
+		#else
+			vUv
+		#endif
+		);
+	#endif
+	#ifdef DOUBLE_SIDED
+		tbn[0] *= faceDirection;
+		tbn[1] *= faceDirection;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	#ifdef USE_TANGENT
+		mat3 tbn2 = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn2 = getTangentFrame( - vViewPosition, normal, vClearcoatNormalMapUv );
+	#endif
+	#ifdef DOUBLE_SIDED
+		tbn2[0] *= faceDirection;
+		tbn2[1] *= faceDirection;
+	#endif
+#endif
+vec3 nonPerturbedNormal = normal;`,ig=`#ifdef USE_NORMALMAP_OBJECTSPACE
+	normal = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	#ifdef FLIP_SIDED
+		normal = - normal;
+	#endif
+	#ifdef DOUBLE_SIDED
+		normal = normal * faceDirection;
+	#endif
+	normal = normalize( normalMatrix * normal );
+#elif defined( USE_NORMALMAP_TANGENTSPACE )
+	vec3 mapN = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	#if defined( USE_PACKED_NORMALMAP )
+		mapN = vec3( mapN.xy, sqrt( saturate( 1.0 - dot( mapN.xy, mapN.xy ) ) ) );
+	#endif
+	mapN.xy *= normalScale;
+	normal = normalize( tbn * mapN );
+#elif defined( USE_BUMPMAP )
+	normal = perturbNormalArb( - vViewPosition, normal, dHdxy_fwd(), faceDirection );
+#endif`,rg=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,sg=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,ag=`#ifndef FLAT_SHADED
+	vNormal = normalize( transformedNormal );
+	#ifdef USE_TANGENT
+		vTangent = normalize( transformedTangent );
+		vBitangent = normalize( cross( vNormal, vTangent ) * tangent.w );
+		#ifdef FLIP_SIDED
+			vBitangent = - vBitangent;
+		#endif
+	#endif
+#endif`,og=`#ifdef USE_NORMALMAP
+	uniform sampler2D normalMap;
+	uniform vec2 normalScale;
+#endif
+#ifdef USE_NORMALMAP_OBJECTSPACE
+	uniform mat3 normalMatrix;
+#endif
+#if ! defined ( USE_TANGENT ) && ( defined ( USE_NORMALMAP_TANGENTSPACE ) || defined ( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY ) )
+	mat3 getTangentFrame( vec3 eye_pos, vec3 surf_norm, vec2 uv ) {
+		vec3 q0 = dFdx( eye_pos.xyz );
+		vec3 q1 = dFdy( eye_pos.xyz );
+		vec2 st0 = dFdx( uv.st );
+		vec2 st1 = dFdy( uv.st );
+		vec3 N = surf_norm;
+		vec3 q1perp = cross( q1, N );
+		vec3 q0perp = cross( N, q0 );
+		vec3 T = q1perp * st0.x + q0perp * st1.x;
+		vec3 B = q1perp * st0.y + q0perp * st1.y;
+		float det = max( dot( T, T ), dot( B, B ) );
+		float scale = ( det == 0.0 ) ? 0.0 : inversesqrt( det );
+		return mat3( T * scale, B * scale, N );
+	}
+#endif`,lg=`#ifdef USE_CLEARCOAT
+	vec3 clearcoatNormal = nonPerturbedNormal;
+#endif`,cg=`#ifdef USE_CLEARCOAT_NORMALMAP
+	vec3 clearcoatMapN = texture2D( clearcoatNormalMap, vClearcoatNormalMapUv ).xyz * 2.0 - 1.0;
+	clearcoatMapN.xy *= clearcoatNormalScale;
+	clearcoatNormal = normalize( tbn2 * clearcoatMapN );
+#endif`,ug=`#ifdef USE_CLEARCOATMAP
+	uniform sampler2D clearcoatMap;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform sampler2D clearcoatNormalMap;
+	uniform vec2 clearcoatNormalScale;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform sampler2D clearcoatRoughnessMap;
+#endif`,hg=`#ifdef USE_IRIDESCENCEMAP
+	uniform sampler2D iridescenceMap;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform sampler2D iridescenceThicknessMap;
+#endif`,dg=`#ifdef OPAQUE
+diffuseColor.a = 1.0;
+#endif
+#ifdef USE_TRANSMISSION
+diffuseColor.a *= material.transmissionAlpha;
+#endif
+gl_FragColor = vec4( outgoingLight, diffuseColor.a );`,fg=`vec3 packNormalToRGB( const in vec3 normal ) {
+	return normalize( normal ) * 0.5 + 0.5;
+}
+vec3 unpackRGBToNormal( const in vec3 rgb ) {
+	return 2.0 * rgb.xyz - 1.0;
+}
+const float PackUpscale = 256. / 255.;const float UnpackDownscale = 255. / 256.;const float ShiftRight8 = 1. / 256.;
+const float Inv255 = 1. / 255.;
+const vec4 PackFactors = vec4( 1.0, 256.0, 256.0 * 256.0, 256.0 * 256.0 * 256.0 );
+const vec2 UnpackFactors2 = vec2( UnpackDownscale, 1.0 / PackFactors.g );
+const vec3 UnpackFactors3 = vec3( UnpackDownscale / PackFactors.rg, 1.0 / PackFactors.b );
+const vec4 UnpackFactors4 = vec4( UnpackDownscale / PackFactors.rgb, 1.0 / PackFactors.a );
+vec4 packDepthToRGBA( const in float v ) {
+	if( v <= 0.0 )
+		return vec4( 0., 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec4( 1., 1., 1., 1. );
+	float vuf;
+	float af = modf( v * PackFactors.a, vuf );
+	float bf = modf( vuf * ShiftRight8, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec4( vuf * Inv255, gf * PackUpscale, bf * PackUpscale, af );
+}
+vec3 packDepthToRGB( const in float v ) {
+	if( v <= 0.0 )
+		return vec3( 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec3( 1., 1., 1. );
+	float vuf;
+	float bf = modf( v * PackFactors.b, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec3( vuf * Inv255, gf * PackUpscale, bf );
+}
+vec2 packDepthToRG( const in float v ) {
+	if( v <= 0.0 )
+		return vec2( 0., 0. );
+	if( v >= 1.0 )
+		return vec2( 1., 1. );
+	float vuf;
+	float gf = modf( v * 256., vuf );
+	return vec2( vuf * Inv255, gf );
+}
+float unpackRGBAToDepth( const in vec4 v ) {
+	return dot( v, UnpackFactors4 );
+}
+float unpackRGBToDepth( const in vec3 v ) {
+	return dot( v, UnpackFactors3 );
+}
+float unpackRGToDepth( const in vec2 v ) {
+	return v.r * UnpackFactors2.r + v.g * UnpackFactors2.g;
+}
+vec4 pack2HalfToRGBA( const in vec2 v ) {
+	vec4 r = vec4( v.x, fract( v.x * 255.0 ), v.y, fract( v.y * 255.0 ) );
+	return vec4( r.x - r.y / 255.0, r.y, r.z - r.w / 255.0, r.w );
+}
+vec2 unpackRGBATo2Half( const in vec4 v ) {
+	return vec2( v.x + ( v.y / 255.0 ), v.z + ( v.w / 255.0 ) );
+}
+float viewZToOrthographicDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( viewZ + near ) / ( near - far );
+}
+float orthographicDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+	
+		return depth * ( far - near ) - far;
+	#else
+		return depth * ( near - far ) - near;
+	#endif
+}
+float viewZToPerspectiveDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( ( near + viewZ ) * far ) / ( ( far - near ) * viewZ );
+}
+float perspectiveDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+		return ( near * far ) / ( ( near - far ) * depth - near );
+	#else
+		return ( near * far ) / ( ( far - near ) * depth - far );
+	#endif
+}`,pg=`#ifdef PREMULTIPLIED_ALPHA
+	gl_FragColor.rgb *= gl_FragColor.a;
+#endif`,mg=`vec4 mvPosition = vec4( transformed, 1.0 );
+#ifdef USE_BATCHING
+	mvPosition = batchingMatrix * mvPosition;
+#endif
+#ifdef USE_INSTANCING
+	mvPosition = instanceMatrix * mvPosition;
+#endif
+mvPosition = modelViewMatrix * mvPosition;
+gl_Position = projectionMatrix * mvPosition;`,gg=`#ifdef DITHERING
+	gl_FragColor.rgb = dithering( gl_FragColor.rgb );
+#endif`,_g=`#ifdef DITHERING
+	vec3 dithering( vec3 color ) {
+		float grid_position = rand( gl_FragCoord.xy );
+		vec3 dither_shift_RGB = vec3( 0.25 / 255.0, -0.25 / 255.0, 0.25 / 255.0 );
+		dither_shift_RGB = mix( 2.0 * dither_shift_RGB, -2.0 * dither_shift_RGB, grid_position );
+		return color + dither_shift_RGB;
+	}
+#endif`,vg=`float roughnessFactor = roughness;
+#ifdef USE_ROUGHNESSMAP
+	vec4 texelRoughness = texture2D( roughnessMap, vRoughnessMapUv );
+	roughnessFactor *= texelRoughness.g;
+#endif`,xg=`#ifdef USE_ROUGHNESSMAP
+	uniform sampler2D roughnessMap;
+#endif`,Sg=`#if NUM_SPOT_LIGHT_COORDS > 0
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#if NUM_SPOT_LIGHT_MAPS > 0
+	uniform sampler2D spotLightMap[ NUM_SPOT_LIGHT_MAPS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		#define SUN_LIGHT_CASCADES 2
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];
+		#endif
+		uniform mat4 sunShadowMatrix[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];
+		uniform vec4 sunShadowCascade[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];
+		varying vec4 vSunShadowWorldPosition;
+		varying vec3 vSunShadowWorldNormal;
+		struct SunLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SunLightShadow sunLightShadows[ NUM_SUN_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow directionalShadowMap[ NUM_DIR_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D directionalShadowMap[ NUM_DIR_LIGHT_SHADOWS ];
+		#endif
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow spotShadowMap[ NUM_SPOT_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D spotShadowMap[ NUM_SPOT_LIGHT_SHADOWS ];
+		#endif
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform samplerCubeShadow pointShadowMap[ NUM_POINT_LIGHT_SHADOWS ];
+		#elif defined( SHADOWMAP_TYPE_BASIC )
+			uniform samplerCube pointShadowMap[ NUM_POINT_LIGHT_SHADOWS ];
+		#endif
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+	#if defined( SHADOWMAP_TYPE_PCF )
+		float interleavedGradientNoise( vec2 position ) {
+			return fract( 52.9829189 * fract( dot( position, vec2( 0.06711056, 0.00583715 ) ) ) );
+		}
+		vec2 vogelDiskSample( int sampleIndex, int samplesCount, float phi ) {
+			const float goldenAngle = 2.399963229728653;
+			float r = sqrt( ( float( sampleIndex ) + 0.5 ) / float( samplesCount ) );
+			float theta = float( sampleIndex ) * goldenAngle + phi;
+			return vec2( cos( theta ), sin( theta ) ) * r;
+		}
+	#endif
+	#if defined( SHADOWMAP_TYPE_PCF )
+		float getShadow( sampler2DShadow shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				vec2 texelSize = vec2( 1.0 ) / shadowMapSize;
+				vec2 radius = shadowRadius * texelSize;
+				float phi = interleavedGradientNoise( gl_FragCoord.xy ) * PI2;
+				shadow = (
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 0, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 1, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 2, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 3, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 4, 5, phi ) * radius, shadowCoord.z ) )
+				) * 0.2;
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#elif defined( SHADOWMAP_TYPE_VSM )
+		float getShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				vec2 distribution = texture2D( shadowMap, shadowCoord.xy ).rg;
+				float mean = distribution.x;
+				float variance = distribution.y * distribution.y;
+				#ifdef USE_REVERSED_DEPTH_BUFFER
+					float hard_shadow = step( mean, shadowCoord.z );
+				#else
+					float hard_shadow = step( shadowCoord.z, mean );
+				#endif
+				
+				if ( hard_shadow == 1.0 ) {
+					shadow = 1.0;
+				} else {
+					variance = max( variance, 0.0000001 );
+					float d = shadowCoord.z - mean;
+					float p_max = variance / ( variance + d * d );
+					p_max = clamp( ( p_max - 0.3 ) / 0.65, 0.0, 1.0 );
+					shadow = max( hard_shadow, p_max );
+				}
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#else
+		float getShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				float depth = texture2D( shadowMap, shadowCoord.xy ).r;
+				#ifdef USE_REVERSED_DEPTH_BUFFER
+					shadow = step( depth, shadowCoord.z );
+				#else
+					shadow = step( shadowCoord.z, depth );
+				#endif
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#endif
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		float getSunShadow(
+			#if defined( SHADOWMAP_TYPE_PCF )
+				sampler2DShadow shadowMap,
+			#else
+				sampler2D shadowMap,
+			#endif
+			SunLightShadow sunLightShadow,
+			int shadowIndex
+		) {
+			vec4 shadowWorldPosition = vec4( vSunShadowWorldPosition.xyz + vSunShadowWorldNormal * sunLightShadow.shadowNormalBias, 1.0 );
+			float viewDepth = vSunShadowWorldPosition.w;
+			int cascadeOffset = shadowIndex * SUN_LIGHT_CASCADES;
+			float shadow = 1.0;
+			for ( int i = SUN_LIGHT_CASCADES - 1; i >= 0; i -- ) {
+				vec4 cascade = sunShadowCascade[ cascadeOffset + i ];
+				if ( viewDepth >= cascade.x && viewDepth < cascade.y ) {
+					float cascadeShadow = getShadow(
+						shadowMap,
+						sunLightShadow.shadowMapSize,
+						sunLightShadow.shadowIntensity,
+						sunLightShadow.shadowBias,
+						sunLightShadow.shadowRadius,
+						sunShadowMatrix[ cascadeOffset + i ] * shadowWorldPosition
+					);
+					shadow = mix( cascadeShadow, shadow, smoothstep( cascade.z, cascade.y, viewDepth ) );
+				}
+			}
+			return shadow;
+		}
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+	#if defined( SHADOWMAP_TYPE_PCF )
+	float getPointShadow( samplerCubeShadow shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord, float shadowCameraNear, float shadowCameraFar ) {
+		float shadow = 1.0;
+		vec3 lightToPosition = shadowCoord.xyz;
+		vec3 bd3D = normalize( lightToPosition );
+		vec3 absVec = abs( lightToPosition );
+		float viewSpaceZ = max( max( absVec.x, absVec.y ), absVec.z );
+		if ( viewSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {
+			float lightDistance = length( lightToPosition );
+			float depthRange = shadowCameraFar - shadowCameraNear;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				float depthA = - shadowCameraNear / depthRange - shadowBias;
+				float depthB = shadowCameraNear * shadowCameraFar / ( depthRange * lightDistance );
+			#else
+				float depthA = shadowCameraFar / depthRange + shadowBias;
+				float depthB = - shadowCameraNear * shadowCameraFar / ( depthRange * lightDistance );
+			#endif
+			float texelSize = shadowRadius / shadowMapSize.x;
+			vec3 absDir = abs( bd3D );
+			vec3 tangent = absDir.x > absDir.z ? vec3( 0.0, 1.0, 0.0 ) : vec3( 1.0, 0.0, 0.0 );
+			tangent = normalize( cross( bd3D, tangent ) );
+			vec3 bitangent = cross( bd3D, tangent );
+			float phi = interleavedGradientNoise( gl_FragCoord.xy ) * PI2;
+			shadow = 0.0;
+			for ( int i = 0; i < 5; i ++ ) {
+				vec2 offset = vogelDiskSample( i, 5, phi );
+				vec3 direction = bd3D + ( tangent * offset.x + bitangent * offset.y ) * texelSize;
+				vec3 absDirection = abs( direction );
+				float dp = depthA + depthB / max( max( absDirection.x, absDirection.y ), absDirection.z );
+				shadow += texture( shadowMap, vec4( direction, dp ) );
+			}
+			shadow *= 0.2;
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+	#elif defined( SHADOWMAP_TYPE_BASIC )
+	float getPointShadow( samplerCube shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord, float shadowCameraNear, float shadowCameraFar ) {
+		float shadow = 1.0;
+		vec3 lightToPosition = shadowCoord.xyz;
+		vec3 absVec = abs( lightToPosition );
+		float viewSpaceZ = max( max( absVec.x, absVec.y ), absVec.z );
+		if ( viewSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {
+			float dp = ( shadowCameraFar * ( viewSpaceZ - shadowCameraNear ) ) / ( viewSpaceZ * ( shadowCameraFar - shadowCameraNear ) );
+			dp += shadowBias;
+			vec3 bd3D = normalize( lightToPosition );
+			float depth = textureCube( shadowMap, bd3D ).r;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				depth = 1.0 - depth;
+			#endif
+			shadow = step( dp, depth );
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+	#endif
+	#endif
+#endif`,Mg=`#if NUM_SPOT_LIGHT_COORDS > 0
+	uniform mat4 spotLightMatrix[ NUM_SPOT_LIGHT_COORDS ];
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		varying vec4 vSunShadowWorldPosition;
+		varying vec3 vSunShadowWorldNormal;
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		uniform mat4 directionalShadowMatrix[ NUM_DIR_LIGHT_SHADOWS ];
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		uniform mat4 pointShadowMatrix[ NUM_POINT_LIGHT_SHADOWS ];
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+#endif`,yg=`#if ( defined( USE_SHADOWMAP ) && ( NUM_DIR_LIGHT_SHADOWS > 0 || NUM_SUN_LIGHT_SHADOWS > 0 || NUM_POINT_LIGHT_SHADOWS > 0 ) ) || ( NUM_SPOT_LIGHT_COORDS > 0 )
+	#ifdef HAS_NORMAL
+		vec3 shadowWorldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );
+	#else
+		vec3 shadowWorldNormal = vec3( 0.0 );
+	#endif
+	vec4 shadowWorldPosition;
+#endif
+#if defined( USE_SHADOWMAP )
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		vSunShadowWorldPosition = vec4( worldPosition.xyz, - mvPosition.z );
+		vSunShadowWorldNormal = shadowWorldNormal;
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * directionalLightShadows[ i ].shadowNormalBias, 0 );
+			vDirectionalShadowCoord[ i ] = directionalShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * pointLightShadows[ i ].shadowNormalBias, 0 );
+			vPointShadowCoord[ i ] = pointShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+#endif
+#if NUM_SPOT_LIGHT_COORDS > 0
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_COORDS; i ++ ) {
+		shadowWorldPosition = worldPosition;
+		#if ( defined( USE_SHADOWMAP ) && UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+			shadowWorldPosition.xyz += shadowWorldNormal * spotLightShadows[ i ].shadowNormalBias;
+		#endif
+		vSpotLightCoord[ i ] = spotLightMatrix[ i ] * shadowWorldPosition;
+	}
+	#pragma unroll_loop_end
+#endif`,Eg=`float getShadowMask() {
+	float shadow = 1.0;
+	#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+	SunLightShadow sunLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SUN_LIGHT_SHADOWS; i ++ ) {
+		sunLight = sunLightShadows[ i ];
+		shadow *= receiveShadow ? getSunShadow( sunShadowMap[ i ], sunLight, UNROLLED_LOOP_INDEX ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+		directionalLight = directionalLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( directionalShadowMap[ i ], directionalLight.shadowMapSize, directionalLight.shadowIntensity, directionalLight.shadowBias, directionalLight.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_SHADOWS; i ++ ) {
+		spotLight = spotLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( spotShadowMap[ i ], spotLight.shadowMapSize, spotLight.shadowIntensity, spotLight.shadowBias, spotLight.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0 && ( defined( SHADOWMAP_TYPE_PCF ) || defined( SHADOWMAP_TYPE_BASIC ) )
+	PointLightShadow pointLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+		pointLight = pointLightShadows[ i ];
+		shadow *= receiveShadow ? getPointShadow( pointShadowMap[ i ], pointLight.shadowMapSize, pointLight.shadowIntensity, pointLight.shadowBias, pointLight.shadowRadius, vPointShadowCoord[ i ], pointLight.shadowCameraNear, pointLight.shadowCameraFar ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#endif
+	return shadow;
+}`,bg=`#ifdef USE_SKINNING
+	mat4 boneMatX = getBoneMatrix( skinIndex.x );
+	mat4 boneMatY = getBoneMatrix( skinIndex.y );
+	mat4 boneMatZ = getBoneMatrix( skinIndex.z );
+	mat4 boneMatW = getBoneMatrix( skinIndex.w );
+#endif`,wg=`#ifdef USE_SKINNING
+	uniform mat4 bindMatrix;
+	uniform mat4 bindMatrixInverse;
+	uniform highp sampler2D boneTexture;
+	mat4 getBoneMatrix( const in float i ) {
+		int size = textureSize( boneTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( boneTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( boneTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( boneTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( boneTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+#endif`,Tg=`#ifdef USE_SKINNING
+	vec4 skinVertex = bindMatrix * vec4( transformed, 1.0 );
+	vec4 skinned = vec4( 0.0 );
+	skinned += boneMatX * skinVertex * skinWeight.x;
+	skinned += boneMatY * skinVertex * skinWeight.y;
+	skinned += boneMatZ * skinVertex * skinWeight.z;
+	skinned += boneMatW * skinVertex * skinWeight.w;
+	transformed = ( bindMatrixInverse * skinned ).xyz;
+#endif`,Ag=`#ifdef USE_SKINNING
+	mat4 skinMatrix = mat4( 0.0 );
+	skinMatrix += skinWeight.x * boneMatX;
+	skinMatrix += skinWeight.y * boneMatY;
+	skinMatrix += skinWeight.z * boneMatZ;
+	skinMatrix += skinWeight.w * boneMatW;
+	skinMatrix = bindMatrixInverse * skinMatrix * bindMatrix;
+	objectNormal = vec4( skinMatrix * vec4( objectNormal, 0.0 ) ).xyz;
+	#ifdef USE_TANGENT
+		objectTangent = vec4( skinMatrix * vec4( objectTangent, 0.0 ) ).xyz;
+	#endif
+#endif`,Rg=`float specularStrength;
+#ifdef USE_SPECULARMAP
+	vec4 texelSpecular = texture2D( specularMap, vSpecularMapUv );
+	specularStrength = texelSpecular.r;
+#else
+	specularStrength = 1.0;
+#endif`,Cg=`#ifdef USE_SPECULARMAP
+	uniform sampler2D specularMap;
+#endif`,Pg=`#if defined( TONE_MAPPING )
+	gl_FragColor.rgb = toneMapping( gl_FragColor.rgb );
+#endif`,Lg=`#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+uniform float toneMappingExposure;
+vec3 LinearToneMapping( vec3 color ) {
+	return saturate( toneMappingExposure * color );
+}
+vec3 ReinhardToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	return saturate( color / ( vec3( 1.0 ) + color ) );
+}
+vec3 CineonToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	color = max( vec3( 0.0 ), color - 0.004 );
+	return pow( ( color * ( 6.2 * color + 0.5 ) ) / ( color * ( 6.2 * color + 1.7 ) + 0.06 ), vec3( 2.2 ) );
+}
+vec3 RRTAndODTFit( vec3 v ) {
+	vec3 a = v * ( v + 0.0245786 ) - 0.000090537;
+	vec3 b = v * ( 0.983729 * v + 0.4329510 ) + 0.238081;
+	return a / b;
+}
+vec3 ACESFilmicToneMapping( vec3 color ) {
+	const mat3 ACESInputMat = mat3(
+		vec3( 0.59719, 0.07600, 0.02840 ),		vec3( 0.35458, 0.90834, 0.13383 ),
+		vec3( 0.04823, 0.01566, 0.83777 )
+	);
+	const mat3 ACESOutputMat = mat3(
+		vec3(  1.60475, -0.10208, -0.00327 ),		vec3( -0.53108,  1.10813, -0.07276 ),
+		vec3( -0.07367, -0.00605,  1.07602 )
+	);
+	color *= toneMappingExposure / 0.6;
+	color = ACESInputMat * color;
+	color = RRTAndODTFit( color );
+	color = ACESOutputMat * color;
+	return saturate( color );
+}
+const mat3 LINEAR_REC2020_TO_LINEAR_SRGB = mat3(
+	vec3( 1.6605, - 0.1246, - 0.0182 ),
+	vec3( - 0.5876, 1.1329, - 0.1006 ),
+	vec3( - 0.0728, - 0.0083, 1.1187 )
+);
+const mat3 LINEAR_SRGB_TO_LINEAR_REC2020 = mat3(
+	vec3( 0.6274, 0.0691, 0.0164 ),
+	vec3( 0.3293, 0.9195, 0.0880 ),
+	vec3( 0.0433, 0.0113, 0.8956 )
+);
+vec3 agxDefaultContrastApprox( vec3 x ) {
+	vec3 x2 = x * x;
+	vec3 x4 = x2 * x2;
+	return + 15.5 * x4 * x2
+		- 40.14 * x4 * x
+		+ 31.96 * x4
+		- 6.868 * x2 * x
+		+ 0.4298 * x2
+		+ 0.1191 * x
+		- 0.00232;
+}
+vec3 AgXToneMapping( vec3 color ) {
+	const mat3 AgXInsetMatrix = mat3(
+		vec3( 0.856627153315983, 0.137318972929847, 0.11189821299995 ),
+		vec3( 0.0951212405381588, 0.761241990602591, 0.0767994186031903 ),
+		vec3( 0.0482516061458583, 0.101439036467562, 0.811302368396859 )
+	);
+	const mat3 AgXOutsetMatrix = mat3(
+		vec3( 1.1271005818144368, - 0.1413297634984383, - 0.14132976349843826 ),
+		vec3( - 0.11060664309660323, 1.157823702216272, - 0.11060664309660294 ),
+		vec3( - 0.016493938717834573, - 0.016493938717834257, 1.2519364065950405 )
+	);
+	const float AgxMinEv = - 12.47393;	const float AgxMaxEv = 4.026069;
+	color *= toneMappingExposure;
+	color = LINEAR_SRGB_TO_LINEAR_REC2020 * color;
+	color = AgXInsetMatrix * color;
+	color = max( color, 1e-10 );	color = log2( color );
+	color = ( color - AgxMinEv ) / ( AgxMaxEv - AgxMinEv );
+	color = clamp( color, 0.0, 1.0 );
+	color = agxDefaultContrastApprox( color );
+	color = AgXOutsetMatrix * color;
+	color = pow( max( vec3( 0.0 ), color ), vec3( 2.2 ) );
+	color = LINEAR_REC2020_TO_LINEAR_SRGB * color;
+	color = clamp( color, 0.0, 1.0 );
+	return color;
+}
+vec3 NeutralToneMapping( vec3 color ) {
+	const float StartCompression = 0.8 - 0.04;
+	const float Desaturation = 0.15;
+	color *= toneMappingExposure;
+	float x = min( color.r, min( color.g, color.b ) );
+	float offset = x < 0.08 ? x - 6.25 * x * x : 0.04;
+	color -= offset;
+	float peak = max( color.r, max( color.g, color.b ) );
+	if ( peak < StartCompression ) return color;
+	float d = 1. - StartCompression;
+	float newPeak = 1. - d * d / ( peak + d - StartCompression );
+	color *= newPeak / peak;
+	float g = 1. - 1. / ( Desaturation * ( peak - newPeak ) + 1. );
+	return mix( color, vec3( newPeak ), g );
+}
+vec3 CustomToneMapping( vec3 color ) { return color; }`,Dg=`#ifdef USE_TRANSMISSION
+	material.transmission = transmission;
+	material.transmissionAlpha = 1.0;
+	material.thickness = thickness;
+	material.attenuationDistance = attenuationDistance;
+	material.attenuationColor = attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		material.transmission *= texture2D( transmissionMap, vTransmissionMapUv ).r;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		material.thickness *= texture2D( thicknessMap, vThicknessMapUv ).g;
+	#endif
+	vec3 pos = vWorldPosition;
+	vec3 v = normalize( cameraPosition - pos );
+	vec3 n = transformNormalByInverseViewMatrix( normal, viewMatrix );
+	vec4 transmitted = getIBLVolumeRefraction(
+		n, v, material.roughness, material.diffuseContribution, material.specularColorBlended, material.specularF90,
+		pos, modelMatrix, viewMatrix, projectionMatrix, material.dispersion, material.ior, material.thickness,
+		material.attenuationColor, material.attenuationDistance );
+	material.transmissionAlpha = mix( material.transmissionAlpha, transmitted.a, material.transmission );
+	totalDiffuse = mix( totalDiffuse, transmitted.rgb, material.transmission );
+#endif`,Ig=`#ifdef USE_TRANSMISSION
+	uniform float transmission;
+	uniform float thickness;
+	uniform float attenuationDistance;
+	uniform vec3 attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		uniform sampler2D transmissionMap;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		uniform sampler2D thicknessMap;
+	#endif
+	uniform vec2 transmissionSamplerSize;
+	uniform sampler2D transmissionSamplerMap;
+	uniform mat4 modelMatrix;
+	uniform mat4 projectionMatrix;
+	varying vec3 vWorldPosition;
+	float w0( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - a + 3.0 ) - 3.0 ) + 1.0 );
+	}
+	float w1( float a ) {
+		return ( 1.0 / 6.0 ) * ( a *  a * ( 3.0 * a - 6.0 ) + 4.0 );
+	}
+	float w2( float a ){
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - 3.0 * a + 3.0 ) + 3.0 ) + 1.0 );
+	}
+	float w3( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * a * a );
+	}
+	float g0( float a ) {
+		return w0( a ) + w1( a );
+	}
+	float g1( float a ) {
+		return w2( a ) + w3( a );
+	}
+	float h0( float a ) {
+		return - 1.0 + w1( a ) / ( w0( a ) + w1( a ) );
+	}
+	float h1( float a ) {
+		return 1.0 + w3( a ) / ( w2( a ) + w3( a ) );
+	}
+	vec4 bicubic( sampler2D tex, vec2 uv, vec4 texelSize, float lod ) {
+		uv = uv * texelSize.zw + 0.5;
+		vec2 iuv = floor( uv );
+		vec2 fuv = fract( uv );
+		float g0x = g0( fuv.x );
+		float g1x = g1( fuv.x );
+		float h0x = h0( fuv.x );
+		float h1x = h1( fuv.x );
+		float h0y = h0( fuv.y );
+		float h1y = h1( fuv.y );
+		vec2 p0 = ( vec2( iuv.x + h0x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p1 = ( vec2( iuv.x + h1x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p2 = ( vec2( iuv.x + h0x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		vec2 p3 = ( vec2( iuv.x + h1x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		return g0( fuv.y ) * ( g0x * textureLod( tex, p0, lod ) + g1x * textureLod( tex, p1, lod ) ) +
+			g1( fuv.y ) * ( g0x * textureLod( tex, p2, lod ) + g1x * textureLod( tex, p3, lod ) );
+	}
+	vec4 textureBicubic( sampler2D sampler, vec2 uv, float lod ) {
+		vec2 fLodSize = vec2( textureSize( sampler, int( lod ) ) );
+		vec2 cLodSize = vec2( textureSize( sampler, int( lod + 1.0 ) ) );
+		vec2 fLodSizeInv = 1.0 / fLodSize;
+		vec2 cLodSizeInv = 1.0 / cLodSize;
+		vec4 fSample = bicubic( sampler, uv, vec4( fLodSizeInv, fLodSize ), floor( lod ) );
+		vec4 cSample = bicubic( sampler, uv, vec4( cLodSizeInv, cLodSize ), ceil( lod ) );
+		return mix( fSample, cSample, fract( lod ) );
+	}
+	vec3 getVolumeTransmissionRay( const in vec3 n, const in vec3 v, const in float thickness, const in float ior, const in mat4 modelMatrix ) {
+		vec3 refractionVector = refract( - v, normalize( n ), 1.0 / ior );
+		vec3 modelScale;
+		modelScale.x = length( vec3( modelMatrix[ 0 ].xyz ) );
+		modelScale.y = length( vec3( modelMatrix[ 1 ].xyz ) );
+		modelScale.z = length( vec3( modelMatrix[ 2 ].xyz ) );
+		return normalize( refractionVector ) * thickness * modelScale;
+	}
+	float applyIorToRoughness( const in float roughness, const in float ior ) {
+		return roughness * clamp( ior * 2.0 - 2.0, 0.0, 1.0 );
+	}
+	vec4 getTransmissionSample( const in vec2 fragCoord, const in float roughness, const in float ior ) {
+		float lod = log2( transmissionSamplerSize.x ) * applyIorToRoughness( roughness, ior );
+		return textureBicubic( transmissionSamplerMap, fragCoord.xy, lod );
+	}
+	vec3 volumeAttenuation( const in float transmissionDistance, const in vec3 attenuationColor, const in float attenuationDistance ) {
+		if ( isinf( attenuationDistance ) ) {
+			return vec3( 1.0 );
+		} else {
+			vec3 attenuationCoefficient = -log( attenuationColor ) / attenuationDistance;
+			vec3 transmittance = exp( - attenuationCoefficient * transmissionDistance );			return transmittance;
+		}
+	}
+	vec4 getIBLVolumeRefraction( const in vec3 n, const in vec3 v, const in float roughness, const in vec3 diffuseColor,
+		const in vec3 specularColor, const in float specularF90, const in vec3 position, const in mat4 modelMatrix,
+		const in mat4 viewMatrix, const in mat4 projMatrix, const in float dispersion, const in float ior, const in float thickness,
+		const in vec3 attenuationColor, const in float attenuationDistance ) {
+		vec4 transmittedLight;
+		vec3 transmittance;
+		#ifdef USE_DISPERSION
+			float halfSpread = ( ior - 1.0 ) * 0.025 * dispersion;
+			vec3 iors = vec3( ior - halfSpread, ior, ior + halfSpread );
+			for ( int i = 0; i < 3; i ++ ) {
+				vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, iors[ i ], modelMatrix );
+				vec3 refractedRayExit = position + transmissionRay;
+				vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+				vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+				refractionCoords += 1.0;
+				refractionCoords /= 2.0;
+				vec4 transmissionSample = getTransmissionSample( refractionCoords, roughness, iors[ i ] );
+				transmittedLight[ i ] = transmissionSample[ i ];
+				transmittedLight.a += transmissionSample.a;
+				transmittance[ i ] = diffuseColor[ i ] * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance )[ i ];
+			}
+			transmittedLight.a /= 3.0;
+		#else
+			vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, ior, modelMatrix );
+			vec3 refractedRayExit = position + transmissionRay;
+			vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+			vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+			refractionCoords += 1.0;
+			refractionCoords /= 2.0;
+			transmittedLight = getTransmissionSample( refractionCoords, roughness, ior );
+			transmittance = diffuseColor * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance );
+		#endif
+		vec3 attenuatedColor = transmittance * transmittedLight.rgb;
+		vec3 F = EnvironmentBRDF( n, v, specularColor, specularF90, roughness );
+		float transmittanceFactor = ( transmittance.r + transmittance.g + transmittance.b ) / 3.0;
+		return vec4( ( 1.0 - F ) * attenuatedColor, 1.0 - ( 1.0 - transmittedLight.a ) * transmittanceFactor );
+	}
+#endif`,Ng=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	varying vec2 vDiffuseRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,Ug=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	uniform mat3 mapTransform;
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform mat3 alphaMapTransform;
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	uniform mat3 lightMapTransform;
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	uniform mat3 aoMapTransform;
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	uniform mat3 bumpMapTransform;
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	uniform mat3 normalMapTransform;
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	uniform mat3 displacementMapTransform;
+	varying vec2 vDisplacementMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	uniform mat3 emissiveMapTransform;
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	uniform mat3 metalnessMapTransform;
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	uniform mat3 roughnessMapTransform;
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	uniform mat3 diffuseRoughnessMapTransform;
+	varying vec2 vDiffuseRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	uniform mat3 anisotropyMapTransform;
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	uniform mat3 clearcoatMapTransform;
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform mat3 clearcoatNormalMapTransform;
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform mat3 clearcoatRoughnessMapTransform;
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	uniform mat3 sheenColorMapTransform;
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	uniform mat3 sheenRoughnessMapTransform;
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	uniform mat3 iridescenceMapTransform;
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform mat3 iridescenceThicknessMapTransform;
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	uniform mat3 specularMapTransform;
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	uniform mat3 specularColorMapTransform;
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	uniform mat3 specularIntensityMapTransform;
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,Fg=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	vUv = vec3( uv, 1 ).xy;
+#endif
+#ifdef USE_MAP
+	vMapUv = ( mapTransform * vec3( MAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ALPHAMAP
+	vAlphaMapUv = ( alphaMapTransform * vec3( ALPHAMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_LIGHTMAP
+	vLightMapUv = ( lightMapTransform * vec3( LIGHTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_AOMAP
+	vAoMapUv = ( aoMapTransform * vec3( AOMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_BUMPMAP
+	vBumpMapUv = ( bumpMapTransform * vec3( BUMPMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_NORMALMAP
+	vNormalMapUv = ( normalMapTransform * vec3( NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	vDisplacementMapUv = ( displacementMapTransform * vec3( DISPLACEMENTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_EMISSIVEMAP
+	vEmissiveMapUv = ( emissiveMapTransform * vec3( EMISSIVEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_METALNESSMAP
+	vMetalnessMapUv = ( metalnessMapTransform * vec3( METALNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	vRoughnessMapUv = ( roughnessMapTransform * vec3( ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	vDiffuseRoughnessMapUv = ( diffuseRoughnessMapTransform * vec3( DIFFUSE_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	vAnisotropyMapUv = ( anisotropyMapTransform * vec3( ANISOTROPYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOATMAP
+	vClearcoatMapUv = ( clearcoatMapTransform * vec3( CLEARCOATMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	vClearcoatNormalMapUv = ( clearcoatNormalMapTransform * vec3( CLEARCOAT_NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	vClearcoatRoughnessMapUv = ( clearcoatRoughnessMapTransform * vec3( CLEARCOAT_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	vIridescenceMapUv = ( iridescenceMapTransform * vec3( IRIDESCENCEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	vIridescenceThicknessMapUv = ( iridescenceThicknessMapTransform * vec3( IRIDESCENCE_THICKNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	vSheenColorMapUv = ( sheenColorMapTransform * vec3( SHEEN_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	vSheenRoughnessMapUv = ( sheenRoughnessMapTransform * vec3( SHEEN_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULARMAP
+	vSpecularMapUv = ( specularMapTransform * vec3( SPECULARMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	vSpecularColorMapUv = ( specularColorMapTransform * vec3( SPECULAR_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	vSpecularIntensityMapUv = ( specularIntensityMapTransform * vec3( SPECULAR_INTENSITYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	vTransmissionMapUv = ( transmissionMapTransform * vec3( TRANSMISSIONMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_THICKNESSMAP
+	vThicknessMapUv = ( thicknessMapTransform * vec3( THICKNESSMAP_UV, 1 ) ).xy;
+#endif`,Og=`#if defined( USE_ENVMAP ) || defined( DISTANCE ) || defined ( USE_SHADOWMAP ) || defined ( USE_TRANSMISSION ) || NUM_SPOT_LIGHT_COORDS > 0
+	vec4 worldPosition = vec4( transformed, 1.0 );
+	#ifdef USE_BATCHING
+		worldPosition = batchingMatrix * worldPosition;
+	#endif
+	#ifdef USE_INSTANCING
+		worldPosition = instanceMatrix * worldPosition;
+	#endif
+	worldPosition = modelMatrix * worldPosition;
+#endif`;const Bg=`varying vec2 vUv;
+uniform mat3 uvTransform;
+void main() {
+	vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	gl_Position = vec4( position.xy, 1.0, 1.0 );
+}`,kg=`uniform sampler2D t2D;
+uniform float backgroundIntensity;
+varying vec2 vUv;
+void main() {
+	vec4 texColor = texture2D( t2D, vUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		texColor = vec4( mix( pow( texColor.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), texColor.rgb * 0.0773993808, vec3( lessThanEqual( texColor.rgb, vec3( 0.04045 ) ) ) ), texColor.w );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,zg=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,Gg=`uniform float backgroundBlurriness;
+uniform float backgroundIntensity;
+uniform mat3 backgroundRotation;
+varying vec3 vWorldDirection;
+#include <envmap_common_pars_fragment>
+void main() {
+	#ifdef ENVMAP_TYPE_PMREM
+		vec4 texColor = textureLod( envMap, backgroundRotation * vWorldDirection, roughnessToMip( backgroundBlurriness ) );
+	#else
+		vec4 texColor = textureCube( envMap, backgroundRotation * vWorldDirection );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,Hg=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,Vg=`uniform samplerCube tCube;
+uniform float tFlip;
+uniform float opacity;
+varying vec3 vWorldDirection;
+void main() {
+	vec4 texColor = textureCube( tCube, vec3( tFlip * vWorldDirection.x, vWorldDirection.yz ) );
+	gl_FragColor = texColor;
+	gl_FragColor.a *= opacity;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,Wg=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+varying vec2 vHighPrecisionZW;
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vHighPrecisionZW = gl_Position.zw;
+}`,Xg=`#if DEPTH_PACKING == 3200
+	uniform float opacity;
+#endif
+#include <common>
+#include <packing>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+varying vec2 vHighPrecisionZW;
+void main() {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#if DEPTH_PACKING == 3200
+		diffuseColor.a = opacity;
+	#endif
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <logdepthbuf_fragment>
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+		float fragCoordZ = vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ];
+	#else
+		float fragCoordZ = 0.5 * vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ] + 0.5;
+	#endif
+	#if DEPTH_PACKING == 3200
+		gl_FragColor = vec4( vec3( 1.0 - fragCoordZ ), opacity );
+	#elif DEPTH_PACKING == 3201
+		gl_FragColor = packDepthToRGBA( fragCoordZ );
+	#elif DEPTH_PACKING == 3202
+		gl_FragColor = vec4( packDepthToRGB( fragCoordZ ), 1.0 );
+	#elif DEPTH_PACKING == 3203
+		gl_FragColor = vec4( packDepthToRG( fragCoordZ ), 0.0, 1.0 );
+	#endif
+}`,$g=`#define DISTANCE
+varying vec3 vWorldPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <worldpos_vertex>
+	#include <clipping_planes_vertex>
+	vWorldPosition = worldPosition.xyz;
+}`,qg=`#define DISTANCE
+uniform vec3 referencePosition;
+uniform float nearDistance;
+uniform float farDistance;
+varying vec3 vWorldPosition;
+#include <common>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	float dist = length( vWorldPosition - referencePosition );
+	dist = ( dist - nearDistance ) / ( farDistance - nearDistance );
+	dist = saturate( dist );
+	gl_FragColor = vec4( dist, 0.0, 0.0, 1.0 );
+}`,Yg=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+}`,Kg=`uniform sampler2D tEquirect;
+varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vec3 direction = normalize( vWorldDirection );
+	vec2 sampleUV = equirectUv( direction );
+	gl_FragColor = texture2D( tEquirect, sampleUV );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,Zg=`uniform float scale;
+attribute float lineDistance;
+varying float vLineDistance;
+#include <common>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	vLineDistance = scale * lineDistance;
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,Jg=`uniform vec3 diffuse;
+uniform float opacity;
+uniform float dashSize;
+uniform float totalSize;
+varying float vLineDistance;
+#include <common>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	if ( mod( vLineDistance, totalSize ) > dashSize ) {
+		discard;
+	}
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,Qg=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#if defined ( USE_ENVMAP ) || defined ( USE_SKINNING )
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinbase_vertex>
+		#include <skinnormal_vertex>
+		#include <defaultnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <fog_vertex>
+}`,jg=`uniform vec3 diffuse;
+uniform float opacity;
+#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+#endif
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		reflectedLight.indirectDiffuse += lightMapTexel.rgb * lightMapIntensity * RECIPROCAL_PI;
+	#else
+		reflectedLight.indirectDiffuse += vec3( 1.0 );
+	#endif
+	#include <aomap_fragment>
+	reflectedLight.indirectDiffuse *= diffuseColor.rgb;
+	vec3 outgoingLight = reflectedLight.indirectDiffuse;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,e_=`#define LAMBERT
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,t_=`#define LAMBERT
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_lambert_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_lambert_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,n_=`#define MATCAP
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+	vViewPosition = - mvPosition.xyz;
+}`,i_=`#define MATCAP
+uniform vec3 diffuse;
+uniform float opacity;
+uniform sampler2D matcap;
+varying vec3 vViewPosition;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	vec3 viewDir = normalize( vViewPosition );
+	vec3 x = normalize( vec3( viewDir.z, 0.0, - viewDir.x ) );
+	vec3 y = cross( viewDir, x );
+	vec2 uv = vec2( dot( x, normal ), dot( y, normal ) ) * 0.495 + 0.5;
+	#ifdef USE_MATCAP
+		vec4 matcapColor = texture2D( matcap, uv );
+	#else
+		vec4 matcapColor = vec4( vec3( mix( 0.2, 0.8, uv.y ) ), 1.0 );
+	#endif
+	vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,r_=`#define NORMAL
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	vViewPosition = - mvPosition.xyz;
+#endif
+}`,s_=`#define NORMAL
+uniform float opacity;
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <uv_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( 0.0, 0.0, 0.0, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	gl_FragColor = vec4( normalize( normal ) * 0.5 + 0.5, diffuseColor.a );
+	#ifdef OPAQUE
+		gl_FragColor.a = 1.0;
+	#endif
+}`,a_=`#define PHONG
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,o_=`#define PHONG
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform vec3 specular;
+uniform float shininess;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_phong_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_phong_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + reflectedLight.directSpecular + reflectedLight.indirectSpecular + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,l_=`#define STANDARD
+varying vec3 vViewPosition;
+#ifdef USE_TRANSMISSION
+	varying vec3 vWorldPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+#ifdef USE_TRANSMISSION
+	vWorldPosition = worldPosition.xyz;
+#endif
+}`,c_=`#define STANDARD
+#ifdef PHYSICAL
+	#define IOR
+	#define USE_SPECULAR
+#endif
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float roughness;
+uniform float metalness;
+uniform float opacity;
+#ifdef IOR
+	uniform float ior;
+#endif
+#ifdef USE_SPECULAR
+	uniform float specularIntensity;
+	uniform vec3 specularColor;
+	#ifdef USE_SPECULAR_COLORMAP
+		uniform sampler2D specularColorMap;
+	#endif
+	#ifdef USE_SPECULAR_INTENSITYMAP
+		uniform sampler2D specularIntensityMap;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT
+	uniform float clearcoat;
+	uniform float clearcoatRoughness;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESS
+	uniform float diffuseRoughness;
+	#ifdef USE_DIFFUSE_ROUGHNESSMAP
+		uniform sampler2D diffuseRoughnessMap;
+	#endif
+#endif
+#ifdef USE_DISPERSION
+	uniform float dispersion;
+#endif
+#ifdef USE_RETROREFLECTION
+	uniform float retroreflectivity;
+#endif
+#ifdef USE_IRIDESCENCE
+	uniform float iridescence;
+	uniform float iridescenceIOR;
+	uniform float iridescenceThicknessMinimum;
+	uniform float iridescenceThicknessMaximum;
+#endif
+#ifdef USE_SHEEN
+	uniform vec3 sheenColor;
+	uniform float sheenRoughness;
+	#ifdef USE_SHEEN_COLORMAP
+		uniform sampler2D sheenColorMap;
+	#endif
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		uniform sampler2D sheenRoughnessMap;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	uniform vec2 anisotropyVector;
+	#ifdef USE_ANISOTROPYMAP
+		uniform sampler2D anisotropyMap;
+	#endif
+#endif
+varying vec3 vViewPosition;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <iridescence_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_physical_pars_fragment>
+#include <transmission_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <clearcoat_pars_fragment>
+#include <iridescence_pars_fragment>
+#include <roughnessmap_pars_fragment>
+#include <metalnessmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <roughnessmap_fragment>
+	#include <metalnessmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <clearcoat_normal_fragment_begin>
+	#include <clearcoat_normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_physical_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 totalDiffuse = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse;
+	vec3 totalSpecular = reflectedLight.directSpecular + reflectedLight.indirectSpecular;
+	#include <transmission_fragment>
+	vec3 outgoingLight = totalDiffuse + totalSpecular + totalEmissiveRadiance;
+	#ifdef USE_SHEEN
+ 
+		outgoingLight = outgoingLight + sheenSpecularDirect + sheenSpecularIndirect;
+ 
+ 	#endif
+	#ifdef USE_CLEARCOAT
+		float dotNVcc = saturate( dot( geometryClearcoatNormal, geometryViewDir ) );
+		vec3 Fcc = F_Schlick( material.clearcoatF0, material.clearcoatF90, dotNVcc );
+		outgoingLight = outgoingLight * ( 1.0 - material.clearcoat * Fcc ) + ( clearcoatSpecularDirect + clearcoatSpecularIndirect ) * material.clearcoat;
+	#endif
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,u_=`#define TOON
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,h_=`#define TOON
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <gradientmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_toon_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_toon_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,d_=`uniform float size;
+uniform float scale;
+#include <common>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+#ifdef USE_POINTS_UV
+	varying vec2 vUv;
+	uniform mat3 uvTransform;
+#endif
+void main() {
+	#ifdef USE_POINTS_UV
+		vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	#endif
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	gl_PointSize = size;
+	#ifdef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) gl_PointSize *= ( scale / - mvPosition.z );
+	#endif
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <fog_vertex>
+}`,f_=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <color_pars_fragment>
+#include <map_particle_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_particle_fragment>
+	#include <color_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,p_=`#include <common>
+#include <batching_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <shadowmap_pars_vertex>
+void main() {
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,m_=`uniform vec3 color;
+uniform float opacity;
+#include <common>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <logdepthbuf_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <shadowmask_pars_fragment>
+void main() {
+	#include <logdepthbuf_fragment>
+	gl_FragColor = vec4( color, opacity * ( 1.0 - getShadowMask() ) );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,g_=`uniform float rotation;
+uniform vec2 center;
+#include <common>
+#include <uv_pars_vertex>
+#include <fog_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	vec4 mvPosition = modelViewMatrix[ 3 ];
+	vec2 scale = vec2( length( modelMatrix[ 0 ].xyz ), length( modelMatrix[ 1 ].xyz ) );
+	#ifndef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) scale *= - mvPosition.z;
+	#endif
+	vec2 alignedPosition = ( position.xy - ( center - vec2( 0.5 ) ) ) * scale;
+	vec2 rotatedPosition;
+	rotatedPosition.x = cos( rotation ) * alignedPosition.x - sin( rotation ) * alignedPosition.y;
+	rotatedPosition.y = sin( rotation ) * alignedPosition.x + cos( rotation ) * alignedPosition.y;
+	mvPosition.xy += rotatedPosition;
+	gl_Position = projectionMatrix * mvPosition;
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,__=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+}`,Be={alphahash_fragment:kp,alphahash_pars_fragment:zp,alphamap_fragment:Gp,alphamap_pars_fragment:Hp,alphatest_fragment:Vp,alphatest_pars_fragment:Wp,aomap_fragment:Xp,aomap_pars_fragment:$p,batching_pars_vertex:qp,batching_vertex:Yp,begin_vertex:Kp,beginnormal_vertex:Zp,bsdfs:Jp,iridescence_fragment:Qp,bumpmap_pars_fragment:jp,clipping_planes_fragment:em,clipping_planes_pars_fragment:tm,clipping_planes_pars_vertex:nm,clipping_planes_vertex:im,color_fragment:rm,color_pars_fragment:sm,color_pars_vertex:am,color_vertex:om,common:lm,defaultnormal_vertex:cm,displacementmap_pars_vertex:um,displacementmap_vertex:hm,emissivemap_fragment:dm,emissivemap_pars_fragment:fm,colorspace_fragment:pm,colorspace_pars_fragment:mm,envmap_fragment:gm,envmap_common_pars_fragment:_m,envmap_pars_fragment:vm,envmap_pars_vertex:xm,envmap_physical_pars_fragment:Pm,envmap_vertex:Sm,fog_vertex:Mm,fog_pars_vertex:ym,fog_fragment:Em,fog_pars_fragment:bm,gradientmap_pars_fragment:wm,lightmap_pars_fragment:Tm,lights_lambert_fragment:Am,lights_lambert_pars_fragment:Rm,lights_pars_begin:Cm,lights_toon_fragment:Lm,lights_toon_pars_fragment:Dm,lights_phong_fragment:Im,lights_phong_pars_fragment:Nm,lights_physical_fragment:Um,lights_physical_pars_fragment:Fm,lights_fragment_begin:Om,lights_fragment_maps:Bm,lights_fragment_end:km,lightprobes_pars_fragment:zm,logdepthbuf_fragment:Gm,logdepthbuf_pars_fragment:Hm,logdepthbuf_pars_vertex:Vm,logdepthbuf_vertex:Wm,map_fragment:Xm,map_pars_fragment:$m,map_particle_fragment:qm,map_particle_pars_fragment:Ym,metalnessmap_fragment:Km,metalnessmap_pars_fragment:Zm,morphinstance_vertex:Jm,morphcolor_vertex:Qm,morphnormal_vertex:jm,morphtarget_pars_vertex:eg,morphtarget_vertex:tg,normal_fragment_begin:ng,normal_fragment_maps:ig,normal_pars_fragment:rg,normal_pars_vertex:sg,normal_vertex:ag,normalmap_pars_fragment:og,clearcoat_normal_fragment_begin:lg,clearcoat_normal_fragment_maps:cg,clearcoat_pars_fragment:ug,iridescence_pars_fragment:hg,opaque_fragment:dg,packing:fg,premultiplied_alpha_fragment:pg,project_vertex:mg,dithering_fragment:gg,dithering_pars_fragment:_g,roughnessmap_fragment:vg,roughnessmap_pars_fragment:xg,shadowmap_pars_fragment:Sg,shadowmap_pars_vertex:Mg,shadowmap_vertex:yg,shadowmask_pars_fragment:Eg,skinbase_vertex:bg,skinning_pars_vertex:wg,skinning_vertex:Tg,skinnormal_vertex:Ag,specularmap_fragment:Rg,specularmap_pars_fragment:Cg,tonemapping_fragment:Pg,tonemapping_pars_fragment:Lg,transmission_fragment:Dg,transmission_pars_fragment:Ig,uv_pars_fragment:Ng,uv_pars_vertex:Ug,uv_vertex:Fg,worldpos_vertex:Og,background_vert:Bg,background_frag:kg,backgroundCube_vert:zg,backgroundCube_frag:Gg,cube_vert:Hg,cube_frag:Vg,depth_vert:Wg,depth_frag:Xg,distance_vert:$g,distance_frag:qg,equirect_vert:Yg,equirect_frag:Kg,linedashed_vert:Zg,linedashed_frag:Jg,meshbasic_vert:Qg,meshbasic_frag:jg,meshlambert_vert:e_,meshlambert_frag:t_,meshmatcap_vert:n_,meshmatcap_frag:i_,meshnormal_vert:r_,meshnormal_frag:s_,meshphong_vert:a_,meshphong_frag:o_,meshphysical_vert:l_,meshphysical_frag:c_,meshtoon_vert:u_,meshtoon_frag:h_,points_vert:d_,points_frag:f_,shadow_vert:p_,shadow_frag:m_,sprite_vert:g_,sprite_frag:__},pe={common:{diffuse:{value:new Ye(16777215)},opacity:{value:1},map:{value:null},mapTransform:{value:new De},alphaMap:{value:null},alphaMapTransform:{value:new De},alphaTest:{value:0}},specularmap:{specularMap:{value:null},specularMapTransform:{value:new De}},envmap:{envMap:{value:null},envMapRotation:{value:new De},reflectivity:{value:1},ior:{value:1.5},refractionRatio:{value:.98},dfgLUT:{value:null}},aomap:{aoMap:{value:null},aoMapIntensity:{value:1},aoMapTransform:{value:new De}},lightmap:{lightMap:{value:null},lightMapIntensity:{value:1},lightMapTransform:{value:new De}},bumpmap:{bumpMap:{value:null},bumpMapTransform:{value:new De},bumpScale:{value:1}},normalmap:{normalMap:{value:null},normalMapTransform:{value:new De},normalScale:{value:new Xe(1,1)}},displacementmap:{displacementMap:{value:null},displacementMapTransform:{value:new De},displacementScale:{value:1},displacementBias:{value:0}},emissivemap:{emissiveMap:{value:null},emissiveMapTransform:{value:new De}},metalnessmap:{metalnessMap:{value:null},metalnessMapTransform:{value:new De}},roughnessmap:{roughnessMap:{value:null},roughnessMapTransform:{value:new De}},gradientmap:{gradientMap:{value:null}},fog:{fogDensity:{value:25e-5},fogNear:{value:1},fogFar:{value:2e3},fogColor:{value:new Ye(16777215)}},lights:{ambientLightColor:{value:[]},lightProbe:{value:[]},sunLights:{value:[],properties:{direction:{},color:{}}},sunLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},sunShadowMatrix:{value:[]},sunShadowCascade:{value:[]},directionalLights:{value:[],properties:{direction:{},color:{}}},directionalLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},directionalShadowMatrix:{value:[]},spotLights:{value:[],properties:{color:{},position:{},direction:{},distance:{},coneCos:{},penumbraCos:{},decay:{}}},spotLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},spotLightMap:{value:[]},spotLightMatrix:{value:[]},pointLights:{value:[],properties:{color:{},position:{},decay:{},distance:{}}},pointLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{},shadowCameraNear:{},shadowCameraFar:{}}},pointShadowMatrix:{value:[]},hemisphereLights:{value:[],properties:{direction:{},skyColor:{},groundColor:{}}},rectAreaLights:{value:[],properties:{color:{},position:{},width:{},height:{}}},ltc_1:{value:null},ltc_2:{value:null},probesSH:{value:[]},probesMin:{value:[]},probesMax:{value:[]},probesResolution:{value:[]}},points:{diffuse:{value:new Ye(16777215)},opacity:{value:1},size:{value:1},scale:{value:1},map:{value:null},alphaMap:{value:null},alphaMapTransform:{value:new De},alphaTest:{value:0},uvTransform:{value:new De}},sprite:{diffuse:{value:new Ye(16777215)},opacity:{value:1},center:{value:new Xe(.5,.5)},rotation:{value:0},map:{value:null},mapTransform:{value:new De},alphaMap:{value:null},alphaMapTransform:{value:new De},alphaTest:{value:0}}},gn={basic:{uniforms:Nt([pe.common,pe.specularmap,pe.envmap,pe.aomap,pe.lightmap,pe.fog]),vertexShader:Be.meshbasic_vert,fragmentShader:Be.meshbasic_frag},lambert:{uniforms:Nt([pe.common,pe.specularmap,pe.envmap,pe.aomap,pe.lightmap,pe.emissivemap,pe.bumpmap,pe.normalmap,pe.displacementmap,pe.fog,pe.lights,{emissive:{value:new Ye(0)},envMapIntensity:{value:1}}]),vertexShader:Be.meshlambert_vert,fragmentShader:Be.meshlambert_frag},phong:{uniforms:Nt([pe.common,pe.specularmap,pe.envmap,pe.aomap,pe.lightmap,pe.emissivemap,pe.bumpmap,pe.normalmap,pe.displacementmap,pe.fog,pe.lights,{emissive:{value:new Ye(0)},specular:{value:new Ye(1118481)},shininess:{value:30},envMapIntensity:{value:1}}]),vertexShader:Be.meshphong_vert,fragmentShader:Be.meshphong_frag},standard:{uniforms:Nt([pe.common,pe.envmap,pe.aomap,pe.lightmap,pe.emissivemap,pe.bumpmap,pe.normalmap,pe.displacementmap,pe.roughnessmap,pe.metalnessmap,pe.fog,pe.lights,{emissive:{value:new Ye(0)},roughness:{value:1},metalness:{value:0},envMapIntensity:{value:1}}]),vertexShader:Be.meshphysical_vert,fragmentShader:Be.meshphysical_frag},toon:{uniforms:Nt([pe.common,pe.aomap,pe.lightmap,pe.emissivemap,pe.bumpmap,pe.normalmap,pe.displacementmap,pe.gradientmap,pe.fog,pe.lights,{emissive:{value:new Ye(0)}}]),vertexShader:Be.meshtoon_vert,fragmentShader:Be.meshtoon_frag},matcap:{uniforms:Nt([pe.common,pe.bumpmap,pe.normalmap,pe.displacementmap,pe.fog,{matcap:{value:null}}]),vertexShader:Be.meshmatcap_vert,fragmentShader:Be.meshmatcap_frag},points:{uniforms:Nt([pe.points,pe.fog]),vertexShader:Be.points_vert,fragmentShader:Be.points_frag},dashed:{uniforms:Nt([pe.common,pe.fog,{scale:{value:1},dashSize:{value:1},totalSize:{value:2}}]),vertexShader:Be.linedashed_vert,fragmentShader:Be.linedashed_frag},depth:{uniforms:Nt([pe.common,pe.displacementmap]),vertexShader:Be.depth_vert,fragmentShader:Be.depth_frag},normal:{uniforms:Nt([pe.common,pe.bumpmap,pe.normalmap,pe.displacementmap,{opacity:{value:1}}]),vertexShader:Be.meshnormal_vert,fragmentShader:Be.meshnormal_frag},sprite:{uniforms:Nt([pe.sprite,pe.fog]),vertexShader:Be.sprite_vert,fragmentShader:Be.sprite_frag},background:{uniforms:{uvTransform:{value:new De},t2D:{value:null},backgroundIntensity:{value:1}},vertexShader:Be.background_vert,fragmentShader:Be.background_frag},backgroundCube:{uniforms:{envMap:{value:null},backgroundBlurriness:{value:0},backgroundIntensity:{value:1},backgroundRotation:{value:new De}},vertexShader:Be.backgroundCube_vert,fragmentShader:Be.backgroundCube_frag},cube:{uniforms:{tCube:{value:null},tFlip:{value:-1},opacity:{value:1}},vertexShader:Be.cube_vert,fragmentShader:Be.cube_frag},equirect:{uniforms:{tEquirect:{value:null}},vertexShader:Be.equirect_vert,fragmentShader:Be.equirect_frag},distance:{uniforms:Nt([pe.common,pe.displacementmap,{referencePosition:{value:new V},nearDistance:{value:1},farDistance:{value:1e3}}]),vertexShader:Be.distance_vert,fragmentShader:Be.distance_frag},shadow:{uniforms:Nt([pe.lights,pe.fog,{color:{value:new Ye(0)},opacity:{value:1}}]),vertexShader:Be.shadow_vert,fragmentShader:Be.shadow_frag}};gn.physical={uniforms:Nt([gn.standard.uniforms,{clearcoat:{value:0},clearcoatMap:{value:null},clearcoatMapTransform:{value:new De},clearcoatNormalMap:{value:null},clearcoatNormalMapTransform:{value:new De},clearcoatNormalScale:{value:new Xe(1,1)},clearcoatRoughness:{value:0},clearcoatRoughnessMap:{value:null},clearcoatRoughnessMapTransform:{value:new De},diffuseRoughness:{value:0},diffuseRoughnessMap:{value:null},diffuseRoughnessMapTransform:{value:new De},dispersion:{value:0},retroreflectivity:{value:0},iridescence:{value:0},iridescenceMap:{value:null},iridescenceMapTransform:{value:new De},iridescenceIOR:{value:1.3},iridescenceThicknessMinimum:{value:100},iridescenceThicknessMaximum:{value:400},iridescenceThicknessMap:{value:null},iridescenceThicknessMapTransform:{value:new De},sheen:{value:0},sheenColor:{value:new Ye(0)},sheenColorMap:{value:null},sheenColorMapTransform:{value:new De},sheenRoughness:{value:1},sheenRoughnessMap:{value:null},sheenRoughnessMapTransform:{value:new De},transmission:{value:0},transmissionMap:{value:null},transmissionMapTransform:{value:new De},transmissionSamplerSize:{value:new Xe},transmissionSamplerMap:{value:null},thickness:{value:0},thicknessMap:{value:null},thicknessMapTransform:{value:new De},attenuationDistance:{value:0},attenuationColor:{value:new Ye(0)},specularColor:{value:new Ye(1,1,1)},specularColorMap:{value:null},specularColorMapTransform:{value:new De},specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new De},anisotropyVector:{value:new Xe},anisotropyMap:{value:null},anisotropyMapTransform:{value:new De}}]),vertexShader:Be.meshphysical_vert,fragmentShader:Be.meshphysical_frag};const Hr={r:0,b:0,g:0},v_=new dt,Dh=new De;Dh.set(-1,0,0,0,1,0,0,0,1);function x_(n,e,t,i,r,s){const a=new Ye(0);let o=r===!0?0:1,l,c,u=null,p=0,h=null;function d(v){let w=v.isScene===!0?v.background:null;if(w&&w.isTexture){const y=v.backgroundBlurriness>0;w=e.get(w,y)}return w}function _(v){let w=!1;const y=d(v);y===null?m(a,o):y&&y.isColor&&(m(y,1),w=!0);const A=n.xr.getEnvironmentBlendMode();A==="additive"?t.buffers.color.setClear(0,0,0,1,s):A==="alpha-blend"&&t.buffers.color.setClear(0,0,0,0,s),(n.autoClear||w)&&(t.buffers.depth.setTest(!0),t.buffers.depth.setMask(!0),t.buffers.color.setMask(!0),n.clear(n.autoClearColor,n.autoClearDepth,n.autoClearStencil))}function S(v,w){const y=d(w);y&&y.isCubeTexture?(c===void 0&&(c=new ei(new pr(1,1,1),new vi({name:"BackgroundCubeMaterial",uniforms:ki(gn.backgroundCube.uniforms),vertexShader:gn.backgroundCube.vertexShader,fragmentShader:gn.backgroundCube.fragmentShader,side:Gt,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),c.geometry.deleteAttribute("uv"),c.onBeforeRender=function(A,R,g){this.matrixWorld.copyPosition(g.matrixWorld)},Object.defineProperty(c.material,"envMap",{get:function(){return this.uniforms.envMap.value}}),i.update(c)),c.material.uniforms.envMap.value=y,c.material.uniforms.backgroundBlurriness.value=w.backgroundBlurriness,c.material.uniforms.backgroundIntensity.value=w.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(v_.makeRotationFromEuler(w.backgroundRotation)).transpose(),y.isRenderTargetTexture===!1&&c.material.uniforms.backgroundRotation.value.premultiply(Dh),c.material.toneMapped=Ve.getTransfer(y.colorSpace)!==Je,(u!==y||p!==y.version||h!==n.toneMapping)&&(c.material.needsUpdate=!0,u=y,p=y.version,h=n.toneMapping),c.layers.enableAll(),v.unshift(c,c.geometry,c.material,0,0,null)):y&&y.isTexture&&(l===void 0&&(l=new ei(new Us(2,2),new vi({name:"BackgroundMaterial",uniforms:ki(gn.background.uniforms),vertexShader:gn.background.vertexShader,fragmentShader:gn.background.fragmentShader,side:mi,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),Object.defineProperty(l.material,"map",{get:function(){return this.uniforms.t2D.value}}),i.update(l)),l.material.uniforms.t2D.value=y,l.material.uniforms.backgroundIntensity.value=w.backgroundIntensity,l.material.toneMapped=Ve.getTransfer(y.colorSpace)!==Je,y.matrixAutoUpdate===!0&&y.updateMatrix(),l.material.uniforms.uvTransform.value.copy(y.matrix),(u!==y||p!==y.version||h!==n.toneMapping)&&(l.material.needsUpdate=!0,u=y,p=y.version,h=n.toneMapping),l.layers.enableAll(),v.unshift(l,l.geometry,l.material,0,0,null))}function m(v,w){v.getRGB(Hr,Ch(n)),t.buffers.color.setClear(Hr.r,Hr.g,Hr.b,w,s)}function f(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.dispose(),l=void 0)}return{getClearColor:function(){return a},setClearColor:function(v,w=1){a.set(v),o=w,m(a,o)},getClearAlpha:function(){return o},setClearAlpha:function(v){o=v,m(a,o)},render:_,addToRenderList:S,dispose:f}}function S_(n,e){const t=n.getParameter(n.MAX_VERTEX_ATTRIBS),i={},r=h(null);let s=r,a=!1;function o(D,G,W,I,F){let K=!1;const k=p(D,I,W,G);s!==k&&(s=k,c(s.object)),K=d(D,I,W,F),K&&_(D,I,W,F),F!==null&&e.update(F,n.ELEMENT_ARRAY_BUFFER),(K||a)&&(a=!1,y(D,G,W,I),F!==null&&n.bindBuffer(n.ELEMENT_ARRAY_BUFFER,e.get(F).buffer))}function l(){return n.createVertexArray()}function c(D){return n.bindVertexArray(D)}function u(D){return n.deleteVertexArray(D)}function p(D,G,W,I){const F=I.wireframe===!0;let K=i[G.id];K===void 0&&(K={},i[G.id]=K);const k=D.isInstancedMesh===!0?D.id:0;let te=K[k];te===void 0&&(te={},K[k]=te);let X=te[W.id];X===void 0&&(X={},te[W.id]=X);let j=X[F];return j===void 0&&(j=h(l()),X[F]=j),j}function h(D){const G=[],W=[],I=[];for(let F=0;F<t;F++)G[F]=0,W[F]=0,I[F]=0;return{geometry:null,program:null,wireframe:!1,newAttributes:G,enabledAttributes:W,attributeDivisors:I,object:D,attributes:{},index:null}}function d(D,G,W,I){const F=s.attributes,K=G.attributes;let k=0;const te=W.getAttributes();for(const X in te)if(te[X].location>=0){const ee=F[X];let ye=K[X];if(ye===void 0&&(X==="instanceMatrix"&&D.instanceMatrix&&(ye=D.instanceMatrix),X==="instanceColor"&&D.instanceColor&&(ye=D.instanceColor)),ee===void 0||ee.attribute!==ye||ye&&ee.data!==ye.data)return!0;k++}return s.attributesNum!==k||s.index!==I}function _(D,G,W,I){const F={},K=G.attributes;let k=0;const te=W.getAttributes();for(const X in te)if(te[X].location>=0){let ee=K[X];ee===void 0&&(X==="instanceMatrix"&&D.instanceMatrix&&(ee=D.instanceMatrix),X==="instanceColor"&&D.instanceColor&&(ee=D.instanceColor));const ye={};ye.attribute=ee,ee&&ee.data&&(ye.data=ee.data),F[X]=ye,k++}s.attributes=F,s.attributesNum=k,s.index=I}function S(){const D=s.newAttributes;for(let G=0,W=D.length;G<W;G++)D[G]=0}function m(D){f(D,0)}function f(D,G){const W=s.newAttributes,I=s.enabledAttributes,F=s.attributeDivisors;W[D]=1,I[D]===0&&(n.enableVertexAttribArray(D),I[D]=1),F[D]!==G&&(n.vertexAttribDivisor(D,G),F[D]=G)}function v(){const D=s.newAttributes,G=s.enabledAttributes;for(let W=0,I=G.length;W<I;W++)G[W]!==D[W]&&(n.disableVertexAttribArray(W),G[W]=0)}function w(D,G,W,I,F,K,k){k===!0?n.vertexAttribIPointer(D,G,W,F,K):n.vertexAttribPointer(D,G,W,I,F,K)}function y(D,G,W,I){S();const F=I.attributes,K=W.getAttributes(),k=G.defaultAttributeValues;for(const te in K){const X=K[te];if(X.location>=0){let j=F[te];if(j===void 0&&(te==="instanceMatrix"&&D.instanceMatrix&&(j=D.instanceMatrix),te==="instanceColor"&&D.instanceColor&&(j=D.instanceColor)),j!==void 0){const ee=j.normalized,ye=j.itemSize,Ie=e.get(j);if(Ie===void 0)continue;const Z=Ie.buffer,me=Ie.type,xe=Ie.bytesPerElement,Ae=me===n.INT||me===n.UNSIGNED_INT||j.gpuType===Ko;if(j.isInterleavedBufferAttribute){const ge=j.data,Ue=ge.isInterleavedBuffer===!0?ge.stride:ge.itemSize,ft=j.offset;if(ge.isInstancedInterleavedBuffer||ge.isInstancedBufferAttribute){for(let Ce=0;Ce<X.locationSize;Ce++)f(X.location+Ce,ge.meshPerAttribute);D.isInstancedMesh!==!0&&I._maxInstanceCount===void 0&&(I._maxInstanceCount=ge.meshPerAttribute*ge.count)}else for(let Ce=0;Ce<X.locationSize;Ce++)m(X.location+Ce);n.bindBuffer(n.ARRAY_BUFFER,Z);for(let Ce=0;Ce<X.locationSize;Ce++)w(X.location+Ce,ye/X.locationSize,me,ee,Ue*xe,(ft+ye/X.locationSize*Ce)*xe,Ae)}else{if(j.isInstancedBufferAttribute){for(let ge=0;ge<X.locationSize;ge++)f(X.location+ge,j.meshPerAttribute);D.isInstancedMesh!==!0&&I._maxInstanceCount===void 0&&(I._maxInstanceCount=j.meshPerAttribute*j.count)}else for(let ge=0;ge<X.locationSize;ge++)m(X.location+ge);n.bindBuffer(n.ARRAY_BUFFER,Z);for(let ge=0;ge<X.locationSize;ge++)w(X.location+ge,ye/X.locationSize,me,ee,ye*xe,ye/X.locationSize*ge*xe,Ae)}}else if(k!==void 0){const ee=k[te];if(ee!==void 0)switch(ee.length){case 2:n.vertexAttrib2fv(X.location,ee);break;case 3:n.vertexAttrib3fv(X.location,ee);break;case 4:n.vertexAttrib4fv(X.location,ee);break;default:n.vertexAttrib1fv(X.location,ee)}}}}v()}function A(){U();for(const D in i){const G=i[D];for(const W in G){const I=G[W];for(const F in I){const K=I[F];for(const k in K)u(K[k].object),delete K[k];delete I[F]}}delete i[D]}}function R(D){if(i[D.id]===void 0)return;const G=i[D.id];for(const W in G){const I=G[W];for(const F in I){const K=I[F];for(const k in K)u(K[k].object),delete K[k];delete I[F]}}delete i[D.id]}function g(D){for(const G in i){const W=i[G];for(const I in W){const F=W[I];if(F[D.id]===void 0)continue;const K=F[D.id];for(const k in K)u(K[k].object),delete K[k];delete F[D.id]}}}function E(D){for(const G in i){const W=i[G],I=D.isInstancedMesh===!0?D.id:0,F=W[I];if(F!==void 0){for(const K in F){const k=F[K];for(const te in k)u(k[te].object),delete k[te];delete F[K]}delete W[I],Object.keys(W).length===0&&delete i[G]}}}function U(){P(),a=!0,s!==r&&(s=r,c(s.object))}function P(){r.geometry=null,r.program=null,r.wireframe=!1}return{setup:o,reset:U,resetDefaultState:P,dispose:A,releaseStatesOfGeometry:R,releaseStatesOfObject:E,releaseStatesOfProgram:g,initAttributes:S,enableAttribute:m,disableUnusedAttributes:v}}function M_(n,e,t){let i;function r(l){i=l}function s(l,c){n.drawArrays(i,l,c),t.update(c,i,1)}function a(l,c,u){u!==0&&(n.drawArraysInstanced(i,l,c,u),t.update(c,i,u))}function o(l,c,u){if(u===0)return;e.get("WEBGL_multi_draw").multiDrawArraysWEBGL(i,l,0,c,0,u);let h=0;for(let d=0;d<u;d++)h+=c[d];t.update(h,i,1)}this.setMode=r,this.render=s,this.renderInstances=a,this.renderMultiDraw=o}function y_(n,e,t,i){let r;function s(){if(r!==void 0)return r;if(e.has("EXT_texture_filter_anisotropic")===!0){const g=e.get("EXT_texture_filter_anisotropic");r=n.getParameter(g.MAX_TEXTURE_MAX_ANISOTROPY_EXT)}else r=0;return r}function a(g){return!(g!==cn&&i.convert(g)!==n.getParameter(n.IMPLEMENTATION_COLOR_READ_FORMAT))}function o(g){const E=g===qt&&(e.has("EXT_color_buffer_half_float")||e.has("EXT_color_buffer_float"));return!(g!==en&&g!==zt&&!E&&i.convert(g)!==n.getParameter(n.IMPLEMENTATION_COLOR_READ_TYPE))}function l(g){if(g==="highp"){if(n.getShaderPrecisionFormat(n.VERTEX_SHADER,n.HIGH_FLOAT).precision>0&&n.getShaderPrecisionFormat(n.FRAGMENT_SHADER,n.HIGH_FLOAT).precision>0)return"highp";g="mediump"}return g==="mediump"&&n.getShaderPrecisionFormat(n.VERTEX_SHADER,n.MEDIUM_FLOAT).precision>0&&n.getShaderPrecisionFormat(n.FRAGMENT_SHADER,n.MEDIUM_FLOAT).precision>0?"mediump":"lowp"}let c=t.precision!==void 0?t.precision:"highp";const u=l(c);u!==c&&(Pe("WebGLRenderer:",c,"not supported, using",u,"instead."),c=u);const p=t.reversedDepthBuffer===!0&&e.has("EXT_clip_control"),h=t.logarithmicDepthBuffer===!0&&p===!1;t.reversedDepthBuffer===!0&&p===!1&&Pe("WebGLRenderer: Unable to use reversed depth buffer due to missing EXT_clip_control extension. Fallback to default depth buffer."),t.logarithmicDepthBuffer===!0&&p===!0&&Pe("WebGLRenderer: Logarithmic depth buffer is ignored when reversed depth buffer is enabled.");const d=n.getParameter(n.MAX_TEXTURE_IMAGE_UNITS),_=n.getParameter(n.MAX_VERTEX_TEXTURE_IMAGE_UNITS),S=n.getParameter(n.MAX_TEXTURE_SIZE),m=n.getParameter(n.MAX_CUBE_MAP_TEXTURE_SIZE),f=n.getParameter(n.MAX_VERTEX_ATTRIBS),v=n.getParameter(n.MAX_VERTEX_UNIFORM_VECTORS),w=n.getParameter(n.MAX_VARYING_VECTORS),y=n.getParameter(n.MAX_FRAGMENT_UNIFORM_VECTORS),A=n.getParameter(n.MAX_SAMPLES),R=n.getParameter(n.SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:s,getMaxPrecision:l,textureFormatReadable:a,textureTypeReadable:o,precision:c,logarithmicDepthBuffer:h,reversedDepthBuffer:p,maxTextures:d,maxVertexTextures:_,maxTextureSize:S,maxCubemapSize:m,maxAttributes:f,maxVertexUniforms:v,maxVaryings:w,maxFragmentUniforms:y,maxSamples:A,samples:R}}function E_(n){const e=this;let t=null,i=0,r=!1,s=!1;const a=new $n,o=new De,l={value:null,needsUpdate:!1};this.uniform=l,this.numPlanes=0,this.numIntersection=0,this.init=function(p,h){const d=p.length!==0||h||i!==0||r;return r=h,i=p.length,d},this.beginShadows=function(){s=!0,u(null)},this.endShadows=function(){s=!1},this.setGlobalState=function(p,h){t=u(p,h,0)},this.setState=function(p,h,d){const _=p.clippingPlanes,S=p.clipIntersection,m=p.clipShadows,f=n.get(p);if(!r||_===null||_.length===0||s&&!m)s?u(null):c();else{const v=s?0:i,w=v*4;let y=f.clippingState||null;l.value=y,y=u(_,h,w,d);for(let A=0;A!==w;++A)y[A]=t[A];f.clippingState=y,this.numIntersection=S?this.numPlanes:0,this.numPlanes+=v}};function c(){l.value!==t&&(l.value=t,l.needsUpdate=i>0),e.numPlanes=i,e.numIntersection=0}function u(p,h,d,_){const S=p!==null?p.length:0;let m=null;if(S!==0){if(m=l.value,_!==!0||m===null){const f=d+S*4,v=h.matrixWorldInverse;o.getNormalMatrix(v),(m===null||m.length<f)&&(m=new Float32Array(f));for(let w=0,y=d;w!==S;++w,y+=4)a.copy(p[w]).applyMatrix4(v,o),a.normal.toArray(m,y),m[y+3]=a.constant}l.value=m,l.needsUpdate=!0}return e.numPlanes=S,e.numIntersection=0,m}}class ol extends hn{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;const i={width:e,height:e,depth:1},r=[i,i,i,i,i,i];this.texture=new Th(r),this._setTextureOptions(t),this.texture.isRenderTargetTexture=!0}fromEquirectangularTexture(e,t){this.texture.type=t.type,this.texture.colorSpace=t.colorSpace,this.texture.generateMipmaps=t.generateMipmaps,this.texture.minFilter=t.minFilter,this.texture.magFilter=t.magFilter;const i={uniforms:{tEquirect:{value:null}},vertexShader:`
+
+				varying vec3 vWorldDirection;
+
+				vec3 transformDirection( in vec3 dir, in mat4 matrix ) {
+
+					return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );
+
+				}
+
+				void main() {
+
+					vWorldDirection = transformDirection( position, modelMatrix );
+
+					#include <begin_vertex>
+					#include <project_vertex>
+
+				}
+			`,fragmentShader:`
+
+				uniform sampler2D tEquirect;
+
+				varying vec3 vWorldDirection;
+
+				#include <common>
+
+				void main() {
+
+					vec3 direction = normalize( vWorldDirection );
+
+					vec2 sampleUV = equirectUv( direction );
+
+					gl_FragColor = texture2D( tEquirect, sampleUV );
+
+				}
+			`},r=new pr(5,5,5),s=new vi({name:"CubemapFromEquirect",uniforms:ki(i.uniforms),vertexShader:i.vertexShader,fragmentShader:i.fragmentShader,side:Gt,blending:ui});s.uniforms.tEquirect.value=t;const a=new ei(r,s),o=t.minFilter;return t.minFilter===Zn&&(t.minFilter=Ut),new Mo(1,10,this).update(e,a),t.minFilter=o,a.geometry.dispose(),a.material.dispose(),this}clear(e,t=!0,i=!0,r=!0){const s=e.getRenderTarget();for(let a=0;a<6;a++)e.setRenderTarget(this,a),e.clear(t,i,r);e.setRenderTarget(s)}}const Sc=256,b_=3,w_=20,Ih=256,Nh=16,T_=3,A_=new V,R_=new Ye;class Es{constructor(e){this._renderer=e,this._cubeSize=0,this._sourceTarget=null,this._cubeCamera=new Mo(1,10,null),this._boxMesh=new ei(new pr(5,5,5),null),this._cubemapMaterial=null,this._equirectMaterial=null,this._blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,i=.1,r=100,s={}){const{size:a=256,position:o=A_}=s,l=this._renderer;this._setSize(a);const c=this._allocateTarget(),u=this._getSourceTarget(!0);t>0&&(u.texture.mipmapsAutoUpdate=!1);const p=l.autoClear,h=l.autoClearColor,d=l.autoClearDepth,_=l.autoClearStencil,S=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,S===null&&(e.background=l.getClearColor(R_));const m=new Mo(i,r,u);return m.position.copy(o),m.update(l,e),l.autoClear=p,l.autoClearColor=h,l.autoClearDepth=d,l.autoClearStencil=_,e.background=S,t>0&&(u.texture.mipmapsAutoUpdate=!0,this._blur(c,t)),this._applyPMREM(c),c}fromEquirectangular(e,t=null){return this._fromTexture(e,t)}fromCubemap(e,t=null){return this._fromTexture(e,t)}compileCubemapShader(){this._cubemapMaterial===null&&(this._cubemapMaterial=Ec(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===null&&(this._equirectMaterial=yc(),this._compileMaterial(this._equirectMaterial))}dispose(){this._sourceTarget!==null&&this._sourceTarget.dispose(),this._cubemapMaterial!==null&&this._cubemapMaterial.dispose(),this._equirectMaterial!==null&&this._equirectMaterial.dispose(),this._blurMaterial!==null&&this._blurMaterial.dispose(),this._ggxMaterial!==null&&this._ggxMaterial.dispose(),this._integrationMaterial!==null&&this._integrationMaterial.dispose(),this._boxMesh.geometry.dispose()}static lodToRoughness(e,t){return t>0?1-Math.sqrt(1-e/t):0}_setSize(e){this._cubeSize=Math.max(Sc,jf(e))}_fromTexture(e,t){e.mapping===Fi||e.mapping===or?this._setSize(e.image.length===0?Sc:e.image[0].width||e.image[0].image.width):this._setSize(e.image.width/4);const i=t||this._allocateTarget();return this._textureToCubemap(e),this._applyPMREM(i),i}_allocateTarget(){const e=this._cubeSize,t=Mc(e,!1,!1),i=Math.log2(e)-b_;for(let r=0;r<=i;r++)t.texture.mipmaps.push({width:e>>r,height:e>>r});return t.texture.name="PMREM",t.texture.isPMREMTexture=!0,t}_getSourceTarget(e=!1){const t=this._cubeSize,i=this._sourceTarget;return(i===null||i.width!==t||e&&i.depthBuffer===!1)&&(i!==null&&i.dispose(),this._sourceTarget=Mc(t,!0,e)),this._sourceTarget}_compileMaterial(e){this._boxMesh.material=e,this._renderer.compile(this._boxMesh,this._cubeCamera.children[0])}_renderCube(e,t,i){const r=this._boxMesh,s=this._cubeCamera;r.material=i,s.renderTarget=e,s.activeMipmapLevel=t;const a=e.width>>t;e.viewport.set(0,0,a,a),s.update(this._renderer,r),e.viewport.set(0,0,e.width,e.height)}_textureToCubemap(e){let t;e.mapping===Fi||e.mapping===or?(this._cubemapMaterial===null&&(this._cubemapMaterial=Ec()),t=this._cubemapMaterial,t.uniforms.flipEnvMap.value=e.isRenderTargetTexture===!1?-1:1):(this._equirectMaterial===null&&(this._equirectMaterial=yc()),t=this._equirectMaterial),t.uniforms.envMap.value=e,this._renderCube(this._getSourceTarget(),0,t)}_applyPMREM(e){this._ggxMaterial===null&&(this._ggxMaterial=C_(),this._integrationMaterial=P_());const t=this._cubeSize,i=e.texture.mipmaps.length-1,r=this._ggxMaterial.uniforms;r.envMap.value=this._sourceTarget.texture;const s=this._integrationMaterial.uniforms;s.envMap.value=this._sourceTarget.texture,s.sourceLod.value=Math.log2(t/Nh);for(let a=0;a<=i;a++){const o=Es.lodToRoughness(a,i);if(a>i-T_)s.roughness.value=o,this._renderCube(e,a,this._integrationMaterial);else{const l=o>0?Math.log2(t)+.5*Math.log2(6/(Ih*Math.pow(o,4)))+.5:0;r.roughness.value=o,r.lodBias.value=l,this._renderCube(e,a,this._ggxMaterial)}}}_blur(e,t){this._blurMaterial===null&&(this._blurMaterial=L_());const i=this._blurMaterial,r=i.uniforms,s=this._sourceTarget;r.sigma.value=Math.min(t,Math.PI)/Math.SQRT2,r.envMap.value=s.texture,this._renderCube(e,0,i),r.envMap.value=e.texture,this._renderCube(s,0,i)}}function Mc(n,e,t){return new ol(n,{minFilter:Zn,generateMipmaps:e,type:qt,colorSpace:cr,depthBuffer:t})}function mr(n,e,t){return new vi({name:n,uniforms:e,vertexShader:Be.cube_vert,fragmentShader:t,side:Gt,blending:ui,depthTest:!1,depthWrite:!1})}function C_(){return mr("PMREMGGXConvolution",{envMap:{value:null},roughness:{value:0},lodBias:{value:0}},`
+
+		#define GGX_SAMPLES ${Ih}u
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float roughness;
+		uniform float lodBias;
+
+		#include <common>
+
+		// Van der Corput radical inverse
+		float radicalInverse_VdC( uint bits ) {
+
+			bits = ( bits << 16u ) | ( bits >> 16u );
+			bits = ( ( bits & 0x55555555u ) << 1u ) | ( ( bits & 0xAAAAAAAAu ) >> 1u );
+			bits = ( ( bits & 0x33333333u ) << 2u ) | ( ( bits & 0xCCCCCCCCu ) >> 2u );
+			bits = ( ( bits & 0x0F0F0F0Fu ) << 4u ) | ( ( bits & 0xF0F0F0F0u ) >> 4u );
+			bits = ( ( bits & 0x00FF00FFu ) << 8u ) | ( ( bits & 0xFF00FF00u ) >> 8u );
+			return float( bits ) * 2.3283064365386963e-10; // / 0x100000000
+
+		}
+
+		// Hammersley sequence
+		vec2 hammersley( uint i, uint N ) {
+
+			return vec2( float( i ) / float( N ), radicalInverse_VdC( i ) );
+
+		}
+
+		void main() {
+
+			vec3 N = normalize( vWorldDirection );
+
+			// For very low roughness, just sample the environment directly
+			if ( roughness < 0.001 ) {
+
+				gl_FragColor = vec4( textureLod( envMap, N, 0.0 ).rgb, 1.0 );
+				return;
+
+			}
+
+			float alpha = roughness * roughness;
+			float alpha2 = alpha * alpha;
+
+			// Tangent space basis for VNDF sampling
+			vec3 up = abs( N.z ) < 0.999 ? vec3( 0.0, 0.0, 1.0 ) : vec3( 1.0, 0.0, 0.0 );
+			vec3 tangent = normalize( cross( up, N ) );
+			vec3 bitangent = cross( N, tangent );
+
+			vec3 prefilteredColor = vec3( 0.0 );
+			float totalWeight = 0.0;
+
+			for ( uint i = 0u; i < GGX_SAMPLES; i ++ ) {
+
+				vec2 Xi = hammersley( i, GGX_SAMPLES );
+
+				// With V = N, sample the reflected direction directly.
+				float invQ = 1.0 / ( 1.0 - Xi.x + alpha2 * Xi.x );
+				float NdotL = ( 1.0 - Xi.x - alpha2 * Xi.x ) * invQ;
+
+				if ( NdotL > 0.0 ) {
+
+					float phi = 2.0 * PI * Xi.y;
+					float sinTheta = 2.0 * alpha * sqrt( Xi.x * ( 1.0 - Xi.x ) ) * invQ;
+					vec3 L = N * NdotL + ( tangent * cos( phi ) + bitangent * sin( phi ) ) * sinTheta;
+
+					// Match the source mip to the sample's solid angle. The terms
+					// independent of the sample are precomputed in lodBias.
+					float d = alpha2 * invQ;
+					float lod = max( log2( d ) + lodBias, 0.0 );
+
+					// Weight by NdotL for the split-sum approximation
+					prefilteredColor += textureLod( envMap, L, lod ).rgb * NdotL;
+					totalWeight += NdotL;
+
+				}
+
+			}
+
+			gl_FragColor = vec4( prefilteredColor / totalWeight, 1.0 );
+
+		}
+	`)}function P_(){return mr("PMREMGGXIntegration",{envMap:{value:null},roughness:{value:0},sourceLod:{value:0},sourceSize:{value:Nh}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float roughness;
+		uniform float sourceLod;
+		uniform int sourceSize;
+
+		void main() {
+
+			vec3 N = normalize( vWorldDirection );
+
+			float alpha = roughness * roughness;
+			float alpha2 = alpha * alpha;
+
+			float texelSize = 2.0 / float( sourceSize );
+
+			vec3 prefilteredColor = vec3( 0.0 );
+			float totalWeight = 0.0;
+
+			// Pair opposite texels: only the one in N's hemisphere contributes.
+			for ( int face = 0; face < 3; face ++ ) {
+
+				for ( int y = 0; y < sourceSize; y ++ ) {
+
+					for ( int x = 0; x < sourceSize; x ++ ) {
+
+						vec2 uv = ( vec2( x, y ) + 0.5 ) * texelSize - 1.0;
+						vec3 texelDirection = face == 0 ? vec3( 1.0, uv ) : ( face == 1 ? vec3( uv.x, 1.0, uv.y ) : vec3( uv, 1.0 ) );
+
+						float invDistance = inversesqrt( 1.0 + dot( uv, uv ) );
+						float NdotL = dot( N, texelDirection );
+						texelDirection *= NdotL < 0.0 ? - 1.0 : 1.0;
+						NdotL = abs( NdotL ) * invDistance;
+
+						// With V = N, NdotH squared is ( 1 + NdotL ) / 2. Common factors
+						// in the GGX distribution and texel solid angle cancel when normalized.
+						float d = 1.0 + alpha2 + ( alpha2 - 1.0 ) * NdotL;
+						float weight = NdotL * invDistance * invDistance * invDistance / ( d * d );
+
+						prefilteredColor += textureLod( envMap, texelDirection, sourceLod ).rgb * weight;
+						totalWeight += weight;
+
+					}
+
+				}
+
+			}
+
+			gl_FragColor = vec4( prefilteredColor / totalWeight, 1.0 );
+
+		}
+	`)}function L_(){return mr("PMREMSphericalGaussianBlur",{envMap:{value:null},sigma:{value:0}},`
+
+		#define SAMPLES ${w_}
+		#define GOLDEN_ANGLE 2.39996322973
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float sigma;
+
+		#include <common>
+
+		void main() {
+
+			vec3 outputDirection = normalize( vWorldDirection );
+
+			vec3 up = abs( outputDirection.z ) < 0.999 ? vec3( 0.0, 0.0, 1.0 ) : vec3( 1.0, 0.0, 0.0 );
+			vec3 tangent = normalize( cross( up, outputDirection ) );
+			vec3 bitangent = cross( outputDirection, tangent );
+
+			// Truncate the kernel at three standard deviations or at the antipode.
+			float thetaMax = min( 3.0 * sigma, PI );
+			float truncation = 1.0 - exp( - 0.5 * thetaMax * thetaMax / ( sigma * sigma ) );
+
+			vec3 accumColor = vec3( 0.0 );
+			float accumWeight = 0.0;
+
+			for ( int i = 0; i < SAMPLES; i ++ ) {
+
+				// Stratified inverse-CDF sampling of the Gaussian, placed on a golden-angle spiral.
+				float stratum = ( float( i ) + 0.5 ) / float( SAMPLES );
+				float theta = sigma * sqrt( - 2.0 * log( 1.0 - stratum * truncation ) );
+				float phi = float( i ) * GOLDEN_ANGLE;
+
+				vec3 offset = cos( phi ) * tangent + sin( phi ) * bitangent;
+				vec3 sampleDirection = cos( theta ) * outputDirection + sin( theta ) * offset;
+
+				// Correct the planar sample density to solid angle.
+				float weight = sin( theta ) / theta;
+
+				accumColor += weight * textureLod( envMap, sampleDirection, 0.0 ).rgb;
+				accumWeight += weight;
+
+			}
+
+			gl_FragColor = vec4( accumColor / accumWeight, 1.0 );
+
+		}
+	`)}function yc(){return mr("PMREMEquirectangularToCubemap",{envMap:{value:null}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform sampler2D envMap;
+
+		#include <common>
+
+		void main() {
+
+			// Average four subpixel samples to preserve small, bright features.
+			vec3 direction = normalize( vWorldDirection );
+			vec3 dx = dFdx( direction ) * 0.25;
+			vec3 dy = dFdy( direction ) * 0.25;
+
+			vec3 color = textureLod( envMap, equirectUv( normalize( direction - dx - dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction + dx - dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction - dx + dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction + dx + dy ) ), 0.0 ).rgb;
+			gl_FragColor = vec4( color * 0.25, 1.0 );
+
+		}
+	`)}function Ec(){return mr("PMREMCubemapToCubemap",{envMap:{value:null},flipEnvMap:{value:-1}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float flipEnvMap;
+
+		void main() {
+
+			gl_FragColor = vec4( textureCube( envMap, vec3( flipEnvMap * vWorldDirection.x, vWorldDirection.yz ) ).rgb, 1.0 );
+
+		}
+	`)}function D_(n){let e=new WeakMap,t=new WeakMap,i=null;function r(h,d=!1){return h==null?null:d?a(h):s(h)}function s(h){if(h&&h.isTexture){const d=h.mapping;if(d===qs||d===Ys)if(e.has(h)){const _=e.get(h).texture;return o(_,h.mapping)}else{const _=h.image;if(_&&_.height>0){const S=new ol(_.height);return S.fromEquirectangularTexture(n,h),e.set(h,S),h.addEventListener("dispose",c),o(S.texture,h.mapping)}else return null}}return h}function a(h){if(h&&h.isTexture&&h.isPMREMTexture!==!0){const d=h.mapping,_=d===qs||d===Ys,S=d===Fi||d===or;if(_||S){let m=t.get(h);const f=m!==void 0?m.texture.pmremVersion:0;if(h.isRenderTargetTexture&&h.pmremVersion!==f)return i===null&&(i=new Es(n)),m=_?i.fromEquirectangular(h,m):i.fromCubemap(h,m),m.texture.pmremVersion=h.pmremVersion,t.set(h,m),m.texture;if(m!==void 0)return m.texture;{const v=h.image;return _&&v&&v.height>0||S&&v&&l(v)?(i===null&&(i=new Es(n)),m=_?i.fromEquirectangular(h):i.fromCubemap(h),m.texture.pmremVersion=h.pmremVersion,t.set(h,m),h.addEventListener("dispose",u),m.texture):null}}}return h}function o(h,d){return d===qs?h.mapping=Fi:d===Ys&&(h.mapping=or),h}function l(h){let d=0;const _=6;for(let S=0;S<_;S++)h[S]!==void 0&&d++;return d===_}function c(h){const d=h.target;d.removeEventListener("dispose",c);const _=e.get(d);_!==void 0&&(e.delete(d),_.dispose())}function u(h){const d=h.target;d.removeEventListener("dispose",u);const _=t.get(d);_!==void 0&&(t.delete(d),_.dispose())}function p(){e=new WeakMap,t=new WeakMap,i!==null&&(i.dispose(),i=null)}return{get:r,dispose:p}}function I_(n){const e={};function t(i){if(e[i]!==void 0)return e[i];const r=n.getExtension(i);return e[i]=r,r}return{has:function(i){return t(i)!==null},init:function(){t("EXT_color_buffer_float"),t("WEBGL_clip_cull_distance"),t("OES_texture_float_linear"),t("EXT_color_buffer_half_float"),t("WEBGL_multisampled_render_to_texture"),t("WEBGL_render_shared_exponent")},get:function(i){const r=t(i);return r===null&&rs("WebGLRenderer: "+i+" extension not supported."),r}}}function N_(n,e,t,i){const r={},s=new WeakMap,a=new FinalizationRegistry(_=>delete r[_]);function o(_){l(_.target)}function l(_){_.index!==null&&e.remove(_.index);for(const m in _.attributes)e.remove(_.attributes[m]);_.removeEventListener("dispose",o),delete r[_.id],a.unregister(_);const S=s.get(_);S&&(e.remove(S),s.delete(_)),i.releaseStatesOfGeometry(_),_.isInstancedBufferGeometry===!0&&delete _._maxInstanceCount,t.memory.geometries--}function c(_,S){return r[S.id]!==void 0||(S.addEventListener("dispose",o),r[S.id]=new WeakRef(S),a.register(S,S.id,S),t.memory.geometries++),S}function u(_){const S=_.attributes;for(const m in S)e.update(S[m],n.ARRAY_BUFFER)}function p(_){const S=_.index,m=_.attributes.position;let f=0;if(m===void 0)return;const v=S!==null?S.array.length:m.array.length/3-1,w=m.count>=65535?wh:bh,y=new w(Math.ceil(v/3)*6,1),A=y.array;if(S!==null){const g=S.array;f=S.version;for(let E=0,U=0;E<v;E+=3){const P=g[E+0],D=g[E+1],G=g[E+2];A[U++]=P,A[U++]=D,A[U++]=D,A[U++]=G,A[U++]=G,A[U++]=P}}else{f=m.version;for(let g=0,E=0;g<v;g+=3){const U=g+0,P=g+1,D=g+2;A[E++]=U,A[E++]=P,A[E++]=P,A[E++]=D,A[E++]=D,A[E++]=U}}y.version=f;const R=s.get(_);R&&e.remove(R),s.set(_,y)}function h(_){const S=s.get(_);if(S){const m=_.index;m!==null&&S.version<m.version&&p(_)}else p(_);return s.get(_)}function d(){for(const _ in r){const S=r[_].deref();S!==void 0&&l(S)}}return{get:c,update:u,getWireframeAttribute:h,dispose:d}}function U_(n,e,t){let i;function r(p){i=p}let s,a;function o(p){s=p.type,a=p.bytesPerElement}function l(p,h){n.drawElements(i,h,s,p*a),t.update(h,i,1)}function c(p,h,d){d!==0&&(n.drawElementsInstanced(i,h,s,p*a,d),t.update(h,i,d))}function u(p,h,d){if(d===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(i,h,0,s,p,0,d);let S=0;for(let m=0;m<d;m++)S+=h[m];t.update(S,i,1)}this.setMode=r,this.setIndex=o,this.render=l,this.renderInstances=c,this.renderMultiDraw=u}function F_(n){const e={geometries:0,textures:0},t={frame:0,calls:0,triangles:0,points:0,lines:0};function i(s,a,o){switch(t.calls++,a){case n.TRIANGLES:t.triangles+=o*(s/3);break;case n.LINES:t.lines+=o*(s/2);break;case n.LINE_STRIP:t.lines+=o*(s-1);break;case n.LINE_LOOP:t.lines+=o*s;break;case n.POINTS:t.points+=o*s;break;default:qe("WebGLInfo: Unknown draw mode:",a);break}}function r(){t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:r,update:i}}function O_(n,e,t){const i=new WeakMap,r=new lt;function s(a,o,l){const c=a.morphTargetInfluences,u=o.morphAttributes.position||o.morphAttributes.normal||o.morphAttributes.color,p=u!==void 0?u.length:0;let h=i.get(o);if(h===void 0||h.count!==p){let P=function(){E.dispose(),i.delete(o),o.removeEventListener("dispose",P)};var d=P;h!==void 0&&h.texture.dispose();const _=o.morphAttributes.position!==void 0,S=o.morphAttributes.normal!==void 0,m=o.morphAttributes.color!==void 0,f=o.morphAttributes.position||[],v=o.morphAttributes.normal||[],w=o.morphAttributes.color||[];let y=0;_===!0&&(y=1),S===!0&&(y=2),m===!0&&(y=3);let A=o.attributes.position.count*y,R=1;A>e.maxTextureSize&&(R=Math.ceil(A/e.maxTextureSize),A=e.maxTextureSize);const g=new Float32Array(A*R*4*p),E=new Mh(g,A,R,p);E.type=zt,E.needsUpdate=!0;const U=y*4;for(let D=0;D<p;D++){const G=f[D],W=v[D],I=w[D],F=A*R*4*D;for(let K=0;K<G.count;K++){const k=K*U;_===!0&&(r.fromBufferAttribute(G,K),g[F+k+0]=r.x,g[F+k+1]=r.y,g[F+k+2]=r.z,g[F+k+3]=0),S===!0&&(r.fromBufferAttribute(W,K),g[F+k+4]=r.x,g[F+k+5]=r.y,g[F+k+6]=r.z,g[F+k+7]=0),m===!0&&(r.fromBufferAttribute(I,K),g[F+k+8]=r.x,g[F+k+9]=r.y,g[F+k+10]=r.z,g[F+k+11]=I.itemSize===4?r.w:1)}}h={count:p,texture:E,size:new Xe(A,R)},i.set(o,h),o.addEventListener("dispose",P)}if(a.isInstancedMesh===!0&&a.morphTexture!==null)l.getUniforms().setValue(n,"morphTexture",a.morphTexture,t);else{let _=0;for(let m=0;m<c.length;m++)_+=c[m];const S=o.morphTargetsRelative?1:1-_;l.getUniforms().setValue(n,"morphTargetBaseInfluence",S),l.getUniforms().setValue(n,"morphTargetInfluences",c)}l.getUniforms().setValue(n,"morphTargetsTexture",h.texture,t),l.getUniforms().setValue(n,"morphTargetsTextureSize",h.size)}return{update:s}}function B_(n,e,t,i,r){let s=new WeakMap;function a(c){const u=r.render.frame,p=c.geometry,h=e.get(c,p);if(s.get(h)!==u&&(e.update(h),s.set(h,u)),c.isInstancedMesh&&(c.hasEventListener("dispose",l)===!1&&c.addEventListener("dispose",l),s.get(c)!==u&&(t.update(c.instanceMatrix,n.ARRAY_BUFFER),c.instanceColor!==null&&t.update(c.instanceColor,n.ARRAY_BUFFER),s.set(c,u))),c.isSkinnedMesh){const d=c.skeleton;s.get(d)!==u&&(d.update(),s.set(d,u))}return h}function o(){s=new WeakMap}function l(c){const u=c.target;u.removeEventListener("dispose",l),i.releaseStatesOfObject(u),t.remove(u.instanceMatrix),u.instanceColor!==null&&t.remove(u.instanceColor)}return{update:a,dispose:o}}const k_={[ih]:"LINEAR_TONE_MAPPING",[rh]:"REINHARD_TONE_MAPPING",[sh]:"CINEON_TONE_MAPPING",[ah]:"ACES_FILMIC_TONE_MAPPING",[lh]:"AGX_TONE_MAPPING",[ch]:"NEUTRAL_TONE_MAPPING",[oh]:"CUSTOM_TONE_MAPPING"};function z_(n,e,t,i,r,s){const a=new hn(e,t,{type:n,depthBuffer:r,stencilBuffer:s,samples:i?4:0,storeMultisampledDepthBuffer:!1,storeMultisampledStencilBuffer:!1,resolveDepthBuffer:!1,resolveStencilBuffer:!1});let o=null,l=null,c=null;const u=new On;u.setAttribute("position",new Nn([-1,3,0,-1,-1,0,3,-1,0],3)),u.setAttribute("uv",new Nn([0,2,0,0,2,0],2));const p=new Ph({uniforms:{tDiffuse:{value:null}},vertexShader:`
+			precision highp float;
+
+			uniform mat4 modelViewMatrix;
+			uniform mat4 projectionMatrix;
+
+			attribute vec3 position;
+			attribute vec2 uv;
+
+			varying vec2 vUv;
+
+			void main() {
+				vUv = uv;
+				gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
+			}`,fragmentShader:`
+			precision highp float;
+
+			uniform sampler2D tDiffuse;
+
+			varying vec2 vUv;
+
+			#include <tonemapping_pars_fragment>
+			#include <colorspace_pars_fragment>
+
+			void main() {
+				gl_FragColor = texture2D( tDiffuse, vUv );
+
+				#ifdef LINEAR_TONE_MAPPING
+					gl_FragColor.rgb = LinearToneMapping( gl_FragColor.rgb );
+				#elif defined( REINHARD_TONE_MAPPING )
+					gl_FragColor.rgb = ReinhardToneMapping( gl_FragColor.rgb );
+				#elif defined( CINEON_TONE_MAPPING )
+					gl_FragColor.rgb = CineonToneMapping( gl_FragColor.rgb );
+				#elif defined( ACES_FILMIC_TONE_MAPPING )
+					gl_FragColor.rgb = ACESFilmicToneMapping( gl_FragColor.rgb );
+				#elif defined( AGX_TONE_MAPPING )
+					gl_FragColor.rgb = AgXToneMapping( gl_FragColor.rgb );
+				#elif defined( NEUTRAL_TONE_MAPPING )
+					gl_FragColor.rgb = NeutralToneMapping( gl_FragColor.rgb );
+				#elif defined( CUSTOM_TONE_MAPPING )
+					gl_FragColor.rgb = CustomToneMapping( gl_FragColor.rgb );
+				#endif
+
+				#ifdef SRGB_TRANSFER
+					gl_FragColor = sRGBTransferOETF( gl_FragColor );
+				#endif
+			}`,depthTest:!1,depthWrite:!1}),h=new ei(u,p),d=new Up(-1,1,1,-1,0,1);let _=null,S=null,m=!1,f,v=null,w=[],y=!1;this.setSize=function(A,R){a.setSize(A,R),o!==null&&o.setSize(A,R),l!==null&&l.setSize(A,R);for(let g=0;g<w.length;g++){const E=w[g];E.setSize&&E.setSize(A,R)}},this.setEffects=function(A){w=A,y=w.length>0&&w[0].isRenderPass===!0;const R=a.width,g=a.height;w.length>0&&o===null&&(o=new hn(R,g,{type:qt,depthBuffer:!1,stencilBuffer:!1}),l=new hn(R,g,{type:qt,depthBuffer:!1,stencilBuffer:!1}));const E=r===!0&&w.some(U=>U.needsDepthTexture===!0);E!==(a.depthTexture!==null)&&(E===!0&&c===null&&(c=new Bi(R,g),s===!0&&(c.format=Jn,c.type=Oi)),a.dispose(),a.depthTexture=E?c:null,a.resolveDepthBuffer=E,a.storeMultisampledDepthBuffer=E);for(let U=0;U<w.length;U++){const P=w[U];P.setSize&&P.setSize(R,g),E&&P.needsDepthTexture===!0&&P.setDepthTexture&&P.setDepthTexture(c)}},this.begin=function(A,R){if(m||A.toneMapping===Dn&&w.length===0)return!1;if(v=R,R!==null){const g=R.width,E=R.height;(a.width!==g||a.height!==E)&&this.setSize(g,E)}return y===!1&&A.setRenderTarget(a),f=A.toneMapping,A.toneMapping=Dn,!0},this.hasRenderPass=function(){return y},this.end=function(A,R){A.toneMapping=f,m=!0;let g=a,E=o;for(let U=0;U<w.length;U++){const P=w[U];P.enabled!==!1&&(P.render(A,E,g,R),P.needsSwap!==!1&&(g=E,E=E===o?l:o))}if(_!==A.outputColorSpace||S!==A.toneMapping){_=A.outputColorSpace,S=A.toneMapping,p.defines={},Ve.getTransfer(_)===Je&&(p.defines.SRGB_TRANSFER="");const U=k_[S];U&&(p.defines[U]=""),p.needsUpdate=!0}p.uniforms.tDiffuse.value=g.texture,A.setRenderTarget(v),A.render(h,d),v=null,m=!1},this.isCompositing=function(){return m},this.dispose=function(){a.dispose(),o!==null&&o.dispose(),l!==null&&l.dispose(),u.dispose(),p.dispose()}}const Uh=new Ft,Fh=new Bi(1,1),Oh=new Ah(1),Bh=new Mh,kh=new xo,zh=new Th,bc=[],wc=[],Tc=new Float32Array(16),Ac=new Float32Array(9),Rc=new Float32Array(4);function Wi(n,e,t){const i=n[0];if(i<=0||i>0)return n;const r=e*t;let s=bc[r];if(s===void 0&&(s=new Float32Array(r),bc[r]=s),e!==0){i.toArray(s,0);for(let a=1,o=0;a!==e;++a)o+=t,n[a].toArray(s,o)}return s}function xt(n,e){if(n.length!==e.length)return!1;for(let t=0,i=n.length;t<i;t++)if(n[t]!==e[t])return!1;return!0}function St(n,e){for(let t=0,i=e.length;t<i;t++)n[t]=e[t]}function Fs(n,e){let t=wc[e];t===void 0&&(t=new Int32Array(e),wc[e]=t);for(let i=0;i!==e;++i)t[i]=n.allocateTextureUnit();return t}function G_(n,e){const t=this.cache;t[0]!==e&&(n.uniform1f(this.addr,e),t[0]=e)}function H_(n,e){const t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(n.uniform2f(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(xt(t,e))return;n.uniform2fv(this.addr,e),St(t,e)}}function V_(n,e){const t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(n.uniform3f(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else if(e.r!==void 0)(t[0]!==e.r||t[1]!==e.g||t[2]!==e.b)&&(n.uniform3f(this.addr,e.r,e.g,e.b),t[0]=e.r,t[1]=e.g,t[2]=e.b);else{if(xt(t,e))return;n.uniform3fv(this.addr,e),St(t,e)}}function W_(n,e){const t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(n.uniform4f(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(xt(t,e))return;n.uniform4fv(this.addr,e),St(t,e)}}function X_(n,e){const t=this.cache,i=e.elements;if(i===void 0){if(xt(t,e))return;n.uniformMatrix2fv(this.addr,!1,e),St(t,e)}else{if(xt(t,i))return;Rc.set(i),n.uniformMatrix2fv(this.addr,!1,Rc),St(t,i)}}function $_(n,e){const t=this.cache,i=e.elements;if(i===void 0){if(xt(t,e))return;n.uniformMatrix3fv(this.addr,!1,e),St(t,e)}else{if(xt(t,i))return;Ac.set(i),n.uniformMatrix3fv(this.addr,!1,Ac),St(t,i)}}function q_(n,e){const t=this.cache,i=e.elements;if(i===void 0){if(xt(t,e))return;n.uniformMatrix4fv(this.addr,!1,e),St(t,e)}else{if(xt(t,i))return;Tc.set(i),n.uniformMatrix4fv(this.addr,!1,Tc),St(t,i)}}function Y_(n,e){const t=this.cache;t[0]!==e&&(n.uniform1i(this.addr,e),t[0]=e)}function K_(n,e){const t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(n.uniform2i(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(xt(t,e))return;n.uniform2iv(this.addr,e),St(t,e)}}function Z_(n,e){const t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(n.uniform3i(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(xt(t,e))return;n.uniform3iv(this.addr,e),St(t,e)}}function J_(n,e){const t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(n.uniform4i(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(xt(t,e))return;n.uniform4iv(this.addr,e),St(t,e)}}function Q_(n,e){const t=this.cache;t[0]!==e&&(n.uniform1ui(this.addr,e),t[0]=e)}function j_(n,e){const t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(n.uniform2ui(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(xt(t,e))return;n.uniform2uiv(this.addr,e),St(t,e)}}function e0(n,e){const t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(n.uniform3ui(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(xt(t,e))return;n.uniform3uiv(this.addr,e),St(t,e)}}function t0(n,e){const t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(n.uniform4ui(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(xt(t,e))return;n.uniform4uiv(this.addr,e),St(t,e)}}function Os(n){return n.version===0&&(n.compareFunction=xh,n.needsUpdate=!0),n}function n0(n,e,t){const i=this.cache,r=t.allocateTextureUnit();i[0]!==r&&(n.uniform1i(this.addr,r),i[0]=r);let s;this.type===n.SAMPLER_2D_SHADOW?s=Os(Fh):s=Uh,t.setTexture2D(e||s,r)}function i0(n,e,t){const i=this.cache,r=t.allocateTextureUnit();i[0]!==r&&(n.uniform1i(this.addr,r),i[0]=r),t.setTexture3D(e||kh,r)}function r0(n,e,t){const i=this.cache,r=t.allocateTextureUnit();i[0]!==r&&(n.uniform1i(this.addr,r),i[0]=r);let s;this.type===n.SAMPLER_CUBE_SHADOW?s=Os(Oh):s=zh,t.setTextureCube(e||s,r)}function s0(n,e,t){const i=this.cache,r=t.allocateTextureUnit();i[0]!==r&&(n.uniform1i(this.addr,r),i[0]=r),t.setTexture2DArray(e||Bh,r)}function a0(n){switch(n){case 5126:return G_;case 35664:return H_;case 35665:return V_;case 35666:return W_;case 35674:return X_;case 35675:return $_;case 35676:return q_;case 5124:case 35670:return Y_;case 35667:case 35671:return K_;case 35668:case 35672:return Z_;case 35669:case 35673:return J_;case 5125:return Q_;case 36294:return j_;case 36295:return e0;case 36296:return t0;case 35678:case 36198:case 36298:case 36306:case 35682:return n0;case 35679:case 36299:case 36307:return i0;case 35680:case 36300:case 36308:case 36293:return r0;case 36289:case 36303:case 36311:case 36292:return s0}}function o0(n,e){n.uniform1fv(this.addr,e)}function l0(n,e){const t=Wi(e,this.size,2);n.uniform2fv(this.addr,t)}function c0(n,e){const t=Wi(e,this.size,3);n.uniform3fv(this.addr,t)}function u0(n,e){const t=Wi(e,this.size,4);n.uniform4fv(this.addr,t)}function h0(n,e){const t=Wi(e,this.size,4);n.uniformMatrix2fv(this.addr,!1,t)}function d0(n,e){const t=Wi(e,this.size,9);n.uniformMatrix3fv(this.addr,!1,t)}function f0(n,e){const t=Wi(e,this.size,16);n.uniformMatrix4fv(this.addr,!1,t)}function p0(n,e){n.uniform1iv(this.addr,e)}function m0(n,e){n.uniform2iv(this.addr,e)}function g0(n,e){n.uniform3iv(this.addr,e)}function _0(n,e){n.uniform4iv(this.addr,e)}function v0(n,e){n.uniform1uiv(this.addr,e)}function x0(n,e){n.uniform2uiv(this.addr,e)}function S0(n,e){n.uniform3uiv(this.addr,e)}function M0(n,e){n.uniform4uiv(this.addr,e)}function y0(n,e,t){const i=this.cache,r=e.length,s=Fs(t,r);xt(i,s)||(n.uniform1iv(this.addr,s),St(i,s));let a;this.type===n.SAMPLER_2D_SHADOW?a=Os(Fh):a=Uh;for(let o=0;o!==r;++o)t.setTexture2D(e[o]||a,s[o])}function E0(n,e,t){const i=this.cache,r=e.length,s=Fs(t,r);xt(i,s)||(n.uniform1iv(this.addr,s),St(i,s));for(let a=0;a!==r;++a)t.setTexture3D(e[a]||kh,s[a])}function b0(n,e,t){const i=this.cache,r=e.length,s=Fs(t,r);xt(i,s)||(n.uniform1iv(this.addr,s),St(i,s));let a;this.type===n.SAMPLER_CUBE_SHADOW?a=Os(Oh):a=zh;for(let o=0;o!==r;++o)t.setTextureCube(e[o]||a,s[o])}function w0(n,e,t){const i=this.cache,r=e.length,s=Fs(t,r);xt(i,s)||(n.uniform1iv(this.addr,s),St(i,s));for(let a=0;a!==r;++a)t.setTexture2DArray(e[a]||Bh,s[a])}function T0(n){switch(n){case 5126:return o0;case 35664:return l0;case 35665:return c0;case 35666:return u0;case 35674:return h0;case 35675:return d0;case 35676:return f0;case 5124:case 35670:return p0;case 35667:case 35671:return m0;case 35668:case 35672:return g0;case 35669:case 35673:return _0;case 5125:return v0;case 36294:return x0;case 36295:return S0;case 36296:return M0;case 35678:case 36198:case 36298:case 36306:case 35682:return y0;case 35679:case 36299:case 36307:return E0;case 35680:case 36300:case 36308:case 36293:return b0;case 36289:case 36303:case 36311:case 36292:return w0}}class A0{constructor(e,t,i){this.id=e,this.addr=i,this.cache=[],this.type=t.type,this.setValue=a0(t.type)}}class R0{constructor(e,t,i){this.id=e,this.addr=i,this.cache=[],this.type=t.type,this.size=t.size,this.setValue=T0(t.type)}}class C0{constructor(e){this.id=e,this.seq=[],this.map={}}setValue(e,t,i){const r=this.seq;for(let s=0,a=r.length;s!==a;++s){const o=r[s];o.setValue(e,t[o.id],i)}}}const xa=/(\w+)(\])?(\[|\.)?/g;function Cc(n,e){n.seq.push(e),n.map[e.id]=e}function P0(n,e,t){const i=n.name,r=i.length;for(xa.lastIndex=0;;){const s=xa.exec(i),a=xa.lastIndex;let o=s[1];const l=s[2]==="]",c=s[3];if(l&&(o=o|0),c===void 0||c==="["&&a+2===r){Cc(t,c===void 0?new A0(o,n,e):new R0(o,n,e));break}else{let p=t.map[o];p===void 0&&(p=new C0(o),Cc(t,p)),t=p}}}class ss{constructor(e,t){this.seq=[],this.map={};const i=e.getProgramParameter(t,e.ACTIVE_UNIFORMS);for(let a=0;a<i;++a){const o=e.getActiveUniform(t,a),l=e.getUniformLocation(t,o.name);P0(o,l,this)}const r=[],s=[];for(const a of this.seq)a.type===e.SAMPLER_2D_SHADOW||a.type===e.SAMPLER_CUBE_SHADOW||a.type===e.SAMPLER_2D_ARRAY_SHADOW?r.push(a):s.push(a);r.length>0&&(this.seq=r.concat(s))}setValue(e,t,i,r){const s=this.map[t];s!==void 0&&s.setValue(e,i,r)}setOptional(e,t,i){const r=t[i];r!==void 0&&this.setValue(e,i,r)}static upload(e,t,i,r){for(let s=0,a=t.length;s!==a;++s){const o=t[s],l=i[o.id];l.needsUpdate!==!1&&o.setValue(e,l.value,r)}}static seqWithValue(e,t){const i=[];for(let r=0,s=e.length;r!==s;++r){const a=e[r];a.id in t&&i.push(a)}return i}}function Pc(n,e,t){const i=n.createShader(e);return n.shaderSource(i,t),n.compileShader(i),i}const L0=37297;let D0=0;function I0(n,e){const t=n.split(`
+`),i=[],r=Math.max(e-6,0),s=Math.min(e+6,t.length);for(let a=r;a<s;a++){const o=a+1;i.push(`${o===e?">":" "} ${o}: ${t[a]}`)}return i.join(`
+`)}const Lc=new De;function N0(n){Ve._getMatrix(Lc,Ve.workingColorSpace,n);const e=`mat3( ${Lc.elements.map(t=>t.toFixed(4))} )`;switch(Ve.getTransfer(n)){case xs:return[e,"LinearTransferOETF"];case Je:return[e,"sRGBTransferOETF"];default:return Pe("WebGLProgram: Unsupported color space: ",n),[e,"LinearTransferOETF"]}}function Dc(n,e,t){const i=n.getShaderParameter(e,n.COMPILE_STATUS),s=(n.getShaderInfoLog(e)||"").trim();if(i&&s==="")return"";const a=/ERROR: 0:(\d+)/.exec(s);if(a){const o=parseInt(a[1]);return t.toUpperCase()+`
+
+`+s+`
+
+`+I0(n.getShaderSource(e),o)}else return s}function U0(n,e){const t=N0(e);return[`vec4 ${n}( vec4 value ) {`,`	return ${t[1]}( vec4( ${t[0]} * value.rgb, value.a ) );`,"}"].join(`
+`)}const F0={[ih]:"Linear",[rh]:"Reinhard",[sh]:"Cineon",[ah]:"ACESFilmic",[lh]:"AgX",[ch]:"Neutral",[oh]:"Custom"};function O0(n,e){const t=F0[e];return t===void 0?(Pe("WebGLProgram: Unsupported toneMapping:",e),"vec3 "+n+"( vec3 color ) { return LinearToneMapping( color ); }"):"vec3 "+n+"( vec3 color ) { return "+t+"ToneMapping( color ); }"}const Vr=new V;function B0(){Ve.getLuminanceCoefficients(Vr);const n=Vr.x.toFixed(4),e=Vr.y.toFixed(4),t=Vr.z.toFixed(4);return["float luminance( const in vec3 rgb ) {",`	const vec3 weights = vec3( ${n}, ${e}, ${t} );`,"	return dot( weights, rgb );","}"].join(`
+`)}function k0(n){return[n.extensionClipCullDistance?"#extension GL_ANGLE_clip_cull_distance : require":"",n.extensionMultiDraw?"#extension GL_ANGLE_multi_draw : require":""].filter(ji).join(`
+`)}function z0(n){const e=[];for(const t in n){const i=n[t];i!==!1&&e.push("#define "+t+" "+i)}return e.join(`
+`)}function G0(n,e){const t={},i=n.getProgramParameter(e,n.ACTIVE_ATTRIBUTES);for(let r=0;r<i;r++){const s=n.getActiveAttrib(e,r),a=s.name;let o=1;s.type===n.FLOAT_MAT2&&(o=2),s.type===n.FLOAT_MAT3&&(o=3),s.type===n.FLOAT_MAT4&&(o=4),t[a]={type:s.type,location:n.getAttribLocation(e,a),locationSize:o}}return t}function ji(n){return n!==""}function Ic(n,e){const t=e.numSpotLightShadows+e.numSpotLightMaps-e.numSpotLightShadowsWithMaps;return n.replace(/NUM_SUN_LIGHTS/g,e.numSunLights).replace(/NUM_DIR_LIGHTS/g,e.numDirLights).replace(/NUM_SPOT_LIGHTS/g,e.numSpotLights).replace(/NUM_SPOT_LIGHT_MAPS/g,e.numSpotLightMaps).replace(/NUM_SPOT_LIGHT_COORDS/g,t).replace(/NUM_RECT_AREA_LIGHTS/g,e.numRectAreaLights).replace(/NUM_POINT_LIGHTS/g,e.numPointLights).replace(/NUM_HEMI_LIGHTS/g,e.numHemiLights).replace(/NUM_SUN_LIGHT_SHADOWS/g,e.numSunLightShadows).replace(/NUM_DIR_LIGHT_SHADOWS/g,e.numDirLightShadows).replace(/NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS/g,e.numSpotLightShadowsWithMaps).replace(/NUM_SPOT_LIGHT_SHADOWS/g,e.numSpotLightShadows).replace(/NUM_POINT_LIGHT_SHADOWS/g,e.numPointLightShadows).replace(/NUM_LIGHT_PROBE_GRIDS/g,e.numLightProbeGrids)}function Nc(n,e){return n.replace(/NUM_CLIPPING_PLANES/g,e.numClippingPlanes).replace(/UNION_CLIPPING_PLANES/g,e.numClippingPlanes-e.numClipIntersection)}const H0=/^[ \t]*#include +<([\w\d./]+)>/gm;function yo(n){return n.replace(H0,V0)}function V0(n,e){const t=Be[e];if(t===void 0)throw new Error("THREE.WebGLProgram: Can not resolve #include <"+e+">");return yo(t)}const W0=/#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;function Uc(n){return n.replace(W0,X0)}function X0(n,e,t,i){let r="";for(let s=parseInt(e);s<parseInt(t);s++)r+=i.replace(/\[\s*i\s*\]/g,"[ "+s+" ]").replace(/UNROLLED_LOOP_INDEX/g,s);return r}function Fc(n){let e=`precision ${n.precision} float;
+	precision ${n.precision} int;
+	precision ${n.precision} sampler2D;
+	precision ${n.precision} samplerCube;
+	precision ${n.precision} sampler3D;
+	precision ${n.precision} sampler2DArray;
+	precision ${n.precision} sampler2DShadow;
+	precision ${n.precision} samplerCubeShadow;
+	precision ${n.precision} sampler2DArrayShadow;
+	precision ${n.precision} isampler2D;
+	precision ${n.precision} isampler3D;
+	precision ${n.precision} isamplerCube;
+	precision ${n.precision} isampler2DArray;
+	precision ${n.precision} usampler2D;
+	precision ${n.precision} usampler3D;
+	precision ${n.precision} usamplerCube;
+	precision ${n.precision} usampler2DArray;
+	`;return n.precision==="highp"?e+=`
+#define HIGH_PRECISION`:n.precision==="mediump"?e+=`
+#define MEDIUM_PRECISION`:n.precision==="lowp"&&(e+=`
+#define LOW_PRECISION`),e}const $0={[jr]:"SHADOWMAP_TYPE_PCF",[Qi]:"SHADOWMAP_TYPE_VSM"};function q0(n){return $0[n.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}const Y0={[or]:"ENVMAP_MODE_REFRACTION"};function K0(n){return n.envMap===!1?"ENVMAP_MODE_REFLECTION":Y0[n.envMapMode]||"ENVMAP_MODE_REFLECTION"}const Z0={[nh]:"ENVMAP_BLENDING_MULTIPLY",[Ff]:"ENVMAP_BLENDING_MIX",[Of]:"ENVMAP_BLENDING_ADD"};function J0(n){return n.envMap===!1?"ENVMAP_BLENDING_NONE":Z0[n.combine]||"ENVMAP_BLENDING_NONE"}function Q0(n,e,t,i){const r=n.getContext(),s=t.defines;let a=t.vertexShader,o=t.fragmentShader;const l=q0(t),c=t.envMapPMREM===!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",u=K0(t),p=J0(t),h=k0(t),d=z0(s),_=r.createProgram();let S,m,f=t.glslVersion?"#version "+t.glslVersion+`
+`:"";t.isRawShaderMaterial?(S=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,d].filter(ji).join(`
+`),S.length>0&&(S+=`
+`),m=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,d].filter(ji).join(`
+`),m.length>0&&(m+=`
+`)):(S=[Fc(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,d,t.extensionClipCullDistance?"#define USE_CLIP_DISTANCE":"",t.batching?"#define USE_BATCHING":"",t.batchingColor?"#define USE_BATCHING_COLOR":"",t.instancing?"#define USE_INSTANCING":"",t.instancingColor?"#define USE_INSTANCING_COLOR":"",t.instancingMorph?"#define USE_INSTANCING_MORPH":"",t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.map?"#define USE_MAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+u:"",t.lightMap?"#define USE_LIGHTMAP":"",t.aoMap?"#define USE_AOMAP":"",t.bumpMap?"#define USE_BUMPMAP":"",t.normalMap?"#define USE_NORMALMAP":"",t.normalMapObjectSpace?"#define USE_NORMALMAP_OBJECTSPACE":"",t.normalMapTangentSpace?"#define USE_NORMALMAP_TANGENTSPACE":"",t.displacementMap?"#define USE_DISPLACEMENTMAP":"",t.emissiveMap?"#define USE_EMISSIVEMAP":"",t.anisotropy?"#define USE_ANISOTROPY":"",t.anisotropyMap?"#define USE_ANISOTROPYMAP":"",t.clearcoatMap?"#define USE_CLEARCOATMAP":"",t.clearcoatRoughnessMap?"#define USE_CLEARCOAT_ROUGHNESSMAP":"",t.clearcoatNormalMap?"#define USE_CLEARCOAT_NORMALMAP":"",t.diffuseRoughnessMap?"#define USE_DIFFUSE_ROUGHNESSMAP":"",t.iridescenceMap?"#define USE_IRIDESCENCEMAP":"",t.iridescenceThicknessMap?"#define USE_IRIDESCENCE_THICKNESSMAP":"",t.specularMap?"#define USE_SPECULARMAP":"",t.specularColorMap?"#define USE_SPECULAR_COLORMAP":"",t.specularIntensityMap?"#define USE_SPECULAR_INTENSITYMAP":"",t.roughnessMap?"#define USE_ROUGHNESSMAP":"",t.metalnessMap?"#define USE_METALNESSMAP":"",t.alphaMap?"#define USE_ALPHAMAP":"",t.alphaHash?"#define USE_ALPHAHASH":"",t.transmission?"#define USE_TRANSMISSION":"",t.transmissionMap?"#define USE_TRANSMISSIONMAP":"",t.thicknessMap?"#define USE_THICKNESSMAP":"",t.sheenColorMap?"#define USE_SHEEN_COLORMAP":"",t.sheenRoughnessMap?"#define USE_SHEEN_ROUGHNESSMAP":"",t.mapUv?"#define MAP_UV "+t.mapUv:"",t.alphaMapUv?"#define ALPHAMAP_UV "+t.alphaMapUv:"",t.lightMapUv?"#define LIGHTMAP_UV "+t.lightMapUv:"",t.aoMapUv?"#define AOMAP_UV "+t.aoMapUv:"",t.emissiveMapUv?"#define EMISSIVEMAP_UV "+t.emissiveMapUv:"",t.bumpMapUv?"#define BUMPMAP_UV "+t.bumpMapUv:"",t.normalMapUv?"#define NORMALMAP_UV "+t.normalMapUv:"",t.displacementMapUv?"#define DISPLACEMENTMAP_UV "+t.displacementMapUv:"",t.metalnessMapUv?"#define METALNESSMAP_UV "+t.metalnessMapUv:"",t.roughnessMapUv?"#define ROUGHNESSMAP_UV "+t.roughnessMapUv:"",t.anisotropyMapUv?"#define ANISOTROPYMAP_UV "+t.anisotropyMapUv:"",t.clearcoatMapUv?"#define CLEARCOATMAP_UV "+t.clearcoatMapUv:"",t.clearcoatNormalMapUv?"#define CLEARCOAT_NORMALMAP_UV "+t.clearcoatNormalMapUv:"",t.clearcoatRoughnessMapUv?"#define CLEARCOAT_ROUGHNESSMAP_UV "+t.clearcoatRoughnessMapUv:"",t.diffuseRoughnessMapUv?"#define DIFFUSE_ROUGHNESSMAP_UV "+t.diffuseRoughnessMapUv:"",t.iridescenceMapUv?"#define IRIDESCENCEMAP_UV "+t.iridescenceMapUv:"",t.iridescenceThicknessMapUv?"#define IRIDESCENCE_THICKNESSMAP_UV "+t.iridescenceThicknessMapUv:"",t.sheenColorMapUv?"#define SHEEN_COLORMAP_UV "+t.sheenColorMapUv:"",t.sheenRoughnessMapUv?"#define SHEEN_ROUGHNESSMAP_UV "+t.sheenRoughnessMapUv:"",t.specularMapUv?"#define SPECULARMAP_UV "+t.specularMapUv:"",t.specularColorMapUv?"#define SPECULAR_COLORMAP_UV "+t.specularColorMapUv:"",t.specularIntensityMapUv?"#define SPECULAR_INTENSITYMAP_UV "+t.specularIntensityMapUv:"",t.transmissionMapUv?"#define TRANSMISSIONMAP_UV "+t.transmissionMapUv:"",t.thicknessMapUv?"#define THICKNESSMAP_UV "+t.thicknessMapUv:"",t.vertexTangents&&t.flatShading===!1?"#define USE_TANGENT":"",t.vertexNormals?"#define HAS_NORMAL":"",t.vertexColors?"#define USE_COLOR":"",t.vertexAlphas?"#define USE_COLOR_ALPHA":"",t.vertexUv1s?"#define USE_UV1":"",t.vertexUv2s?"#define USE_UV2":"",t.vertexUv3s?"#define USE_UV3":"",t.pointsUvs?"#define USE_POINTS_UV":"",t.flatShading?"#define FLAT_SHADED":"",t.skinning?"#define USE_SKINNING":"",t.morphTargets?"#define USE_MORPHTARGETS":"",t.morphNormals&&t.flatShading===!1?"#define USE_MORPHNORMALS":"",t.morphColors?"#define USE_MORPHCOLORS":"",t.morphTargetsCount>0?"#define MORPHTARGETS_TEXTURE_STRIDE "+t.morphTextureStride:"",t.morphTargetsCount>0?"#define MORPHTARGETS_COUNT "+t.morphTargetsCount:"",t.doubleSided?"#define DOUBLE_SIDED":"",t.flipSided?"#define FLIP_SIDED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#define "+l:"",t.sizeAttenuation?"#define USE_SIZEATTENUATION":"",t.numLightProbes>0?"#define USE_LIGHT_PROBES":"",t.logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 modelMatrix;","uniform mat4 modelViewMatrix;","uniform mat4 projectionMatrix;","uniform mat4 viewMatrix;","uniform mat3 normalMatrix;","uniform vec3 cameraPosition;","uniform bool isOrthographic;","#ifdef USE_INSTANCING","	attribute mat4 instanceMatrix;","#endif","#ifdef USE_INSTANCING_COLOR","	attribute vec3 instanceColor;","#endif","#ifdef USE_INSTANCING_MORPH","	uniform sampler2D morphTexture;","#endif","attribute vec3 position;","attribute vec3 normal;","attribute vec2 uv;","#ifdef USE_UV1","	attribute vec2 uv1;","#endif","#ifdef USE_UV2","	attribute vec2 uv2;","#endif","#ifdef USE_UV3","	attribute vec2 uv3;","#endif","#ifdef USE_TANGENT","	attribute vec4 tangent;","#endif","#if defined( USE_COLOR_ALPHA )","	attribute vec4 color;","#elif defined( USE_COLOR )","	attribute vec3 color;","#endif","#ifdef USE_SKINNING","	attribute vec4 skinIndex;","	attribute vec4 skinWeight;","#endif",`
+`].filter(ji).join(`
+`),m=[Fc(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,d,t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.alphaToCoverage?"#define ALPHA_TO_COVERAGE":"",t.map?"#define USE_MAP":"",t.matcap?"#define USE_MATCAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+c:"",t.envMap?"#define "+u:"",t.envMap?"#define "+p:"",t.envMapPMREM?"#define ENVMAP_MAX_LOD "+t.envMapMaxLod+".0":"",t.envMapPMREM?"#define ENVMAP_SIZE "+t.envMapSize+".0":"",t.lightMap?"#define USE_LIGHTMAP":"",t.aoMap?"#define USE_AOMAP":"",t.bumpMap?"#define USE_BUMPMAP":"",t.normalMap?"#define USE_NORMALMAP":"",t.normalMapObjectSpace?"#define USE_NORMALMAP_OBJECTSPACE":"",t.normalMapTangentSpace?"#define USE_NORMALMAP_TANGENTSPACE":"",t.packedNormalMap?"#define USE_PACKED_NORMALMAP":"",t.emissiveMap?"#define USE_EMISSIVEMAP":"",t.anisotropy?"#define USE_ANISOTROPY":"",t.anisotropyMap?"#define USE_ANISOTROPYMAP":"",t.clearcoat?"#define USE_CLEARCOAT":"",t.clearcoatMap?"#define USE_CLEARCOATMAP":"",t.clearcoatRoughnessMap?"#define USE_CLEARCOAT_ROUGHNESSMAP":"",t.clearcoatNormalMap?"#define USE_CLEARCOAT_NORMALMAP":"",t.diffuseRoughness?"#define USE_DIFFUSE_ROUGHNESS":"",t.diffuseRoughnessMap?"#define USE_DIFFUSE_ROUGHNESSMAP":"",t.dispersion?"#define USE_DISPERSION":"",t.retroreflection?"#define USE_RETROREFLECTION":"",t.iridescence?"#define USE_IRIDESCENCE":"",t.iridescenceMap?"#define USE_IRIDESCENCEMAP":"",t.iridescenceThicknessMap?"#define USE_IRIDESCENCE_THICKNESSMAP":"",t.specularMap?"#define USE_SPECULARMAP":"",t.specularColorMap?"#define USE_SPECULAR_COLORMAP":"",t.specularIntensityMap?"#define USE_SPECULAR_INTENSITYMAP":"",t.roughnessMap?"#define USE_ROUGHNESSMAP":"",t.metalnessMap?"#define USE_METALNESSMAP":"",t.alphaMap?"#define USE_ALPHAMAP":"",t.alphaTest?"#define USE_ALPHATEST":"",t.alphaHash?"#define USE_ALPHAHASH":"",t.sheen?"#define USE_SHEEN":"",t.sheenColorMap?"#define USE_SHEEN_COLORMAP":"",t.sheenRoughnessMap?"#define USE_SHEEN_ROUGHNESSMAP":"",t.transmission?"#define USE_TRANSMISSION":"",t.transmissionMap?"#define USE_TRANSMISSIONMAP":"",t.thicknessMap?"#define USE_THICKNESSMAP":"",t.vertexTangents&&t.flatShading===!1?"#define USE_TANGENT":"",t.vertexColors||t.instancingColor?"#define USE_COLOR":"",t.vertexAlphas||t.batchingColor?"#define USE_COLOR_ALPHA":"",t.vertexUv1s?"#define USE_UV1":"",t.vertexUv2s?"#define USE_UV2":"",t.vertexUv3s?"#define USE_UV3":"",t.pointsUvs?"#define USE_POINTS_UV":"",t.gradientMap?"#define USE_GRADIENTMAP":"",t.flatShading?"#define FLAT_SHADED":"",t.doubleSided?"#define DOUBLE_SIDED":"",t.flipSided?"#define FLIP_SIDED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#define "+l:"",t.premultipliedAlpha?"#define PREMULTIPLIED_ALPHA":"",t.numLightProbes>0?"#define USE_LIGHT_PROBES":"",t.decodeVideoTexture?"#define DECODE_VIDEO_TEXTURE":"",t.decodeVideoTextureEmissive?"#define DECODE_VIDEO_TEXTURE_EMISSIVE":"",t.logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 viewMatrix;","uniform vec3 cameraPosition;","uniform bool isOrthographic;",t.toneMapping!==Dn?"#define TONE_MAPPING":"",t.toneMapping!==Dn?Be.tonemapping_pars_fragment:"",t.toneMapping!==Dn?O0("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",Be.colorspace_pars_fragment,U0("linearToOutputTexel",t.outputColorSpace),B0(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"",`
+`].filter(ji).join(`
+`)),a=yo(a),a=Ic(a,t),a=Nc(a,t),o=yo(o),o=Ic(o,t),o=Nc(o,t),a=Uc(a),o=Uc(o),t.isRawShaderMaterial!==!0&&(f=`#version 300 es
+`,S=[h,"#define attribute in","#define varying out","#define texture2D texture"].join(`
+`)+`
+`+S,m=["#define varying in",t.glslVersion===_o?"":"layout(location = 0) out highp vec4 pc_fragColor;",t.glslVersion===_o?"":"#define gl_FragColor pc_fragColor","#define gl_FragDepthEXT gl_FragDepth","#define texture2D texture","#define textureCube texture","#define texture2DProj textureProj","#define texture2DLodEXT textureLod","#define texture2DProjLodEXT textureProjLod","#define textureCubeLodEXT textureLod","#define texture2DGradEXT textureGrad","#define texture2DProjGradEXT textureProjGrad","#define textureCubeGradEXT textureGrad"].join(`
+`)+`
+`+m);const v=f+S+a,w=f+m+o,y=Pc(r,r.VERTEX_SHADER,v),A=Pc(r,r.FRAGMENT_SHADER,w);r.attachShader(_,y),r.attachShader(_,A),t.index0AttributeName!==void 0?r.bindAttribLocation(_,0,t.index0AttributeName):t.hasPositionAttribute===!0&&r.bindAttribLocation(_,0,"position"),r.linkProgram(_);function R(P){if(n.debug.checkShaderErrors){const D=r.getProgramInfoLog(_)||"",G=r.getShaderInfoLog(y)||"",W=r.getShaderInfoLog(A)||"",I=D.trim(),F=G.trim(),K=W.trim();let k=!0,te=!0;if(r.getProgramParameter(_,r.LINK_STATUS)===!1)if(k=!1,typeof n.debug.onShaderError=="function")n.debug.onShaderError(r,_,y,A);else{const X=Dc(r,y,"vertex"),j=Dc(r,A,"fragment");qe("WebGLProgram: Shader Error "+r.getError()+" - VALIDATE_STATUS "+r.getProgramParameter(_,r.VALIDATE_STATUS)+`
+
+Material Name: `+P.name+`
+Material Type: `+P.type+`
+
+Program Info Log: `+I+`
+`+X+`
+`+j)}else I!==""?Pe("WebGLProgram: Program Info Log:",I):(F===""||K==="")&&(te=!1);te&&(P.diagnostics={runnable:k,programLog:I,vertexShader:{log:F,prefix:S},fragmentShader:{log:K,prefix:m}})}r.deleteShader(y),r.deleteShader(A),g=new ss(r,_),E=G0(r,_)}let g;this.getUniforms=function(){return g===void 0&&R(this),g};let E;this.getAttributes=function(){return E===void 0&&R(this),E};let U=t.rendererExtensionParallelShaderCompile===!1;return this.isReady=function(){return U===!1&&(U=r.getProgramParameter(_,L0)),U},this.destroy=function(){i.releaseStatesOfProgram(this),r.deleteProgram(_),this.program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=D0++,this.cacheKey=e,this.usedTimes=1,this.program=_,this.vertexShader=y,this.fragmentShader=A,this}let j0=0;class ev{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(e,t,i){const r=this._getShaderCacheForMaterial(e);return r.has(t)===!1&&(r.add(t),t.usedTimes++),r.has(i)===!1&&(r.add(i),i.usedTimes++),this}remove(e){const t=this.materialCache.get(e);for(const i of t)i.usedTimes--,i.usedTimes===0&&this.shaderCache.delete(i.code);return this.materialCache.delete(e),this}getVertexShaderStage(e){return this._getShaderStage(e.vertexShader)}getFragmentShaderStage(e){return this._getShaderStage(e.fragmentShader)}dispose(){this.shaderCache.clear(),this.materialCache.clear()}_getShaderCacheForMaterial(e){const t=this.materialCache;let i=t.get(e);return i===void 0&&(i=new Set,t.set(e,i)),i}_getShaderStage(e){const t=this.shaderCache;let i=t.get(e);return i===void 0&&(i=new tv(e),t.set(e,i)),i}}class tv{constructor(e){this.id=j0++,this.code=e,this.usedTimes=0}}function nv(n){return n===gi||n===_s||n===vs}function iv(n,e,t,i,r,s){const a=new yh,o=new ev,l=new Set,c=[],u=new Map,p=i.logarithmicDepthBuffer,h={MeshDepthMaterial:"depth",MeshDistanceMaterial:"distance",MeshNormalMaterial:"normal",MeshBasicMaterial:"basic",MeshLambertMaterial:"lambert",MeshPhongMaterial:"phong",MeshToonMaterial:"toon",MeshStandardMaterial:"physical",MeshPhysicalMaterial:"physical",MeshMatcapMaterial:"matcap",LineBasicMaterial:"basic",LineDashedMaterial:"dashed",PointsMaterial:"points",ShadowMaterial:"shadow",SpriteMaterial:"sprite"};function d(g){return l.add(g),g===0?"uv":`uv${g}`}function _(g,E,U,P,D,G){const W=P.fog,I=D.geometry,F=g.isMeshStandardMaterial||g.isMeshLambertMaterial||g.isMeshPhongMaterial?P.environment:null,K=g.isMeshStandardMaterial||g.isMeshLambertMaterial&&!g.envMap||g.isMeshPhongMaterial&&!g.envMap,k=e.get(g.envMap||F,K),te=h[g.type];let X=i.precision;g.precision!==null&&(X=i.getMaxPrecision(g.precision),X!==g.precision&&Pe("WebGLProgram.getParameters:",g.precision,"not supported, using",X,"instead."));const j=I.morphAttributes.position||I.morphAttributes.normal||I.morphAttributes.color,ee=j!==void 0?j.length:0;let ye=0;I.morphAttributes.position!==void 0&&(ye=1),I.morphAttributes.normal!==void 0&&(ye=2),I.morphAttributes.color!==void 0&&(ye=3);let Ie,Z,me,xe;if(te){const fe=gn[te];Ie=fe.vertexShader,Z=fe.fragmentShader}else{Ie=g.vertexShader,Z=g.fragmentShader;const fe=o.getVertexShaderStage(g),Ze=o.getFragmentShaderStage(g);o.update(g,fe,Ze),me=fe.id,xe=Ze.id}const Ae=n.getRenderTarget(),ge=n.state.buffers.depth.getReversed(),Ue=D.isInstancedMesh===!0,ft=D.isBatchedMesh===!0,Ce=!!g.map,Ke=!!g.matcap,Qe=!!k,ke=Qe&&k.isPMREMTexture===!0,Tt=!!g.aoMap,_t=!!g.lightMap,Ot=!!g.bumpMap&&g.wireframe===!1,at=!!g.normalMap,dn=!!g.displacementMap,Mt=!!g.emissiveMap,Yt=!!g.metalnessMap,Kt=!!g.roughnessMap,Zt=g.anisotropy>0,N=g.clearcoat>0,Jt=g.diffuseRoughness>0,rt=g.dispersion>0,st=g.retroreflectivity>0,de=g.iridescence>0,vt=g.sheen>0,Re=g.transmission>0,Le=Zt&&!!g.anisotropyMap,T=N&&!!g.clearcoatMap,x=N&&!!g.clearcoatNormalMap,B=N&&!!g.clearcoatRoughnessMap,ne=Jt&&!!g.diffuseRoughnessMap,Q=de&&!!g.iridescenceMap,se=de&&!!g.iridescenceThicknessMap,ue=vt&&!!g.sheenColorMap,q=vt&&!!g.sheenRoughnessMap,Y=!!g.specularMap,oe=!!g.specularColorMap,C=!!g.specularIntensityMap,J=Re&&!!g.transmissionMap,$=Re&&!!g.thicknessMap,le=!!g.gradientMap,re=!!g.alphaMap,ae=g.alphaTest>0,be=!!g.alphaHash,Oe=!!g.extensions;let ie=Dn;g.toneMapped&&(Ae===null||Ae.isXRRenderTarget===!0)&&(ie=n.toneMapping);const Te=ke?k.isCompressedCubeTexture?k.image[0].mipmaps:k.mipmaps:null,Fe={shaderID:te,shaderType:g.type,shaderName:g.name,vertexShader:Ie,fragmentShader:Z,defines:g.defines,customVertexShaderID:me,customFragmentShaderID:xe,isRawShaderMaterial:g.isRawShaderMaterial===!0,glslVersion:g.glslVersion,precision:X,batching:ft,batchingColor:ft&&D._colorsTexture!==null,instancing:Ue,instancingColor:Ue&&D.instanceColor!==null,instancingMorph:Ue&&D.morphTexture!==null,outputColorSpace:Ae===null?n.outputColorSpace:Ae.isXRRenderTarget===!0?Ae.texture.colorSpace:Ve.workingColorSpace,alphaToCoverage:!!g.alphaToCoverage,map:Ce,matcap:Ke,envMap:Qe,envMapMode:Qe&&k.mapping,envMapPMREM:ke,envMapMaxLod:ke?Te.length-1:null,envMapSize:ke?Te[0].width:null,aoMap:Tt,lightMap:_t,bumpMap:Ot,normalMap:at,displacementMap:dn,emissiveMap:Mt,normalMapObjectSpace:at&&g.normalMapType===zf,normalMapTangentSpace:at&&g.normalMapType===Ql,packedNormalMap:at&&g.normalMapType===Ql&&nv(g.normalMap.format),metalnessMap:Yt,roughnessMap:Kt,anisotropy:Zt,anisotropyMap:Le,clearcoat:N,clearcoatMap:T,clearcoatNormalMap:x,clearcoatRoughnessMap:B,diffuseRoughness:Jt,diffuseRoughnessMap:ne,dispersion:rt,retroreflection:st,iridescence:de,iridescenceMap:Q,iridescenceThicknessMap:se,sheen:vt,sheenColorMap:ue,sheenRoughnessMap:q,specularMap:Y,specularColorMap:oe,specularIntensityMap:C,transmission:Re,transmissionMap:J,thicknessMap:$,gradientMap:le,opaque:g.transparent===!1&&g.blending===ir&&g.alphaToCoverage===!1,alphaMap:re,alphaTest:ae,alphaHash:be,combine:g.combine,mapUv:Ce&&d(g.map.channel),aoMapUv:Tt&&d(g.aoMap.channel),lightMapUv:_t&&d(g.lightMap.channel),bumpMapUv:Ot&&d(g.bumpMap.channel),normalMapUv:at&&d(g.normalMap.channel),displacementMapUv:dn&&d(g.displacementMap.channel),emissiveMapUv:Mt&&d(g.emissiveMap.channel),metalnessMapUv:Yt&&d(g.metalnessMap.channel),roughnessMapUv:Kt&&d(g.roughnessMap.channel),anisotropyMapUv:Le&&d(g.anisotropyMap.channel),clearcoatMapUv:T&&d(g.clearcoatMap.channel),clearcoatNormalMapUv:x&&d(g.clearcoatNormalMap.channel),clearcoatRoughnessMapUv:B&&d(g.clearcoatRoughnessMap.channel),diffuseRoughnessMapUv:ne&&d(g.diffuseRoughnessMap.channel),iridescenceMapUv:Q&&d(g.iridescenceMap.channel),iridescenceThicknessMapUv:se&&d(g.iridescenceThicknessMap.channel),sheenColorMapUv:ue&&d(g.sheenColorMap.channel),sheenRoughnessMapUv:q&&d(g.sheenRoughnessMap.channel),specularMapUv:Y&&d(g.specularMap.channel),specularColorMapUv:oe&&d(g.specularColorMap.channel),specularIntensityMapUv:C&&d(g.specularIntensityMap.channel),transmissionMapUv:J&&d(g.transmissionMap.channel),thicknessMapUv:$&&d(g.thicknessMap.channel),alphaMapUv:re&&d(g.alphaMap.channel),vertexTangents:!!I.attributes.tangent&&(at||Zt),vertexNormals:!!I.attributes.normal,vertexColors:g.vertexColors,vertexAlphas:g.vertexColors===!0&&!!I.attributes.color&&I.attributes.color.itemSize===4,pointsUvs:D.isPoints===!0&&!!I.attributes.uv&&(Ce||re),fog:!!W,useFog:g.fog===!0,fogExp2:!!W&&W.isFogExp2,flatShading:g.wireframe===!1&&(g.flatShading===!0||I.attributes.normal===void 0&&at===!1&&(g.isMeshLambertMaterial||g.isMeshPhongMaterial||g.isMeshStandardMaterial||g.isMeshPhysicalMaterial)),sizeAttenuation:g.sizeAttenuation===!0,logarithmicDepthBuffer:p,reversedDepthBuffer:ge,skinning:D.isSkinnedMesh===!0,hasPositionAttribute:I.attributes.position!==void 0,morphTargets:I.morphAttributes.position!==void 0,morphNormals:I.morphAttributes.normal!==void 0,morphColors:I.morphAttributes.color!==void 0,morphTargetsCount:ee,morphTextureStride:ye,numSunLights:E.sun.length,numDirLights:E.directional.length,numPointLights:E.point.length,numSpotLights:E.spot.length,numSpotLightMaps:E.spotLightMap.length,numRectAreaLights:E.rectArea.length,numHemiLights:E.hemi.length,numSunLightShadows:E.sunShadowMap.length,numDirLightShadows:E.directionalShadowMap.length,numPointLightShadows:E.pointShadowMap.length,numSpotLightShadows:E.spotShadowMap.length,numSpotLightShadowsWithMaps:E.numSpotLightShadowsWithMaps,numLightProbes:E.numLightProbes,numLightProbeGrids:G.filter(fe=>fe.texture!==null).length,numClippingPlanes:s.numPlanes,numClipIntersection:s.numIntersection,dithering:g.dithering,shadowMapEnabled:n.shadowMap.enabled&&U.length>0,shadowMapType:n.shadowMap.type,toneMapping:ie,decodeVideoTexture:Ce&&g.map.isVideoTexture===!0&&Ve.getTransfer(g.map.colorSpace)===Je,decodeVideoTextureEmissive:Mt&&g.emissiveMap.isVideoTexture===!0&&Ve.getTransfer(g.emissiveMap.colorSpace)===Je,premultipliedAlpha:g.premultipliedAlpha,doubleSided:g.side===_n,flipSided:g.side===Gt,useDepthPacking:g.depthPacking>=0,depthPacking:g.depthPacking||0,index0AttributeName:g.index0AttributeName,extensionClipCullDistance:Oe&&g.extensions.clipCullDistance===!0&&t.has("WEBGL_clip_cull_distance"),extensionMultiDraw:(Oe&&g.extensions.multiDraw===!0||ft)&&t.has("WEBGL_multi_draw"),rendererExtensionParallelShaderCompile:t.has("KHR_parallel_shader_compile"),customProgramCacheKey:g.customProgramCacheKey()};return Fe.vertexUv1s=l.has(1),Fe.vertexUv2s=l.has(2),Fe.vertexUv3s=l.has(3),l.clear(),Fe}function S(g){const E=[];if(g.shaderID?E.push(g.shaderID):(E.push(g.customVertexShaderID),E.push(g.customFragmentShaderID)),g.defines!==void 0)for(const U in g.defines)E.push(U),E.push(g.defines[U]);return g.isRawShaderMaterial===!1&&(m(E,g),f(E,g),E.push(n.outputColorSpace)),E.push(g.customProgramCacheKey),E.join()}function m(g,E){g.push(E.precision),g.push(E.outputColorSpace),g.push(E.envMapMode),g.push(E.envMapPMREM),g.push(E.envMapMaxLod),g.push(E.envMapSize),g.push(E.mapUv),g.push(E.alphaMapUv),g.push(E.lightMapUv),g.push(E.aoMapUv),g.push(E.bumpMapUv),g.push(E.normalMapUv),g.push(E.displacementMapUv),g.push(E.emissiveMapUv),g.push(E.metalnessMapUv),g.push(E.roughnessMapUv),g.push(E.anisotropyMapUv),g.push(E.clearcoatMapUv),g.push(E.clearcoatNormalMapUv),g.push(E.clearcoatRoughnessMapUv),g.push(E.diffuseRoughnessMapUv),g.push(E.iridescenceMapUv),g.push(E.iridescenceThicknessMapUv),g.push(E.sheenColorMapUv),g.push(E.sheenRoughnessMapUv),g.push(E.specularMapUv),g.push(E.specularColorMapUv),g.push(E.specularIntensityMapUv),g.push(E.transmissionMapUv),g.push(E.thicknessMapUv),g.push(E.combine),g.push(E.fogExp2),g.push(E.sizeAttenuation),g.push(E.morphTargetsCount),g.push(E.numSunLights),g.push(E.numDirLights),g.push(E.numPointLights),g.push(E.numSpotLights),g.push(E.numSpotLightMaps),g.push(E.numHemiLights),g.push(E.numRectAreaLights),g.push(E.numSunLightShadows),g.push(E.numDirLightShadows),g.push(E.numPointLightShadows),g.push(E.numSpotLightShadows),g.push(E.numSpotLightShadowsWithMaps),g.push(E.numLightProbes),g.push(E.numLightProbeGrids),g.push(E.shadowMapType),g.push(E.toneMapping),g.push(E.numClippingPlanes),g.push(E.numClipIntersection),g.push(E.depthPacking)}function f(g,E){a.disableAll(),E.instancing&&a.enable(0),E.instancingColor&&a.enable(1),E.instancingMorph&&a.enable(2),E.matcap&&a.enable(3),E.envMap&&a.enable(4),E.normalMapObjectSpace&&a.enable(5),E.normalMapTangentSpace&&a.enable(6),E.clearcoat&&a.enable(7),E.iridescence&&a.enable(8),E.alphaTest&&a.enable(9),E.vertexColors&&a.enable(10),E.vertexAlphas&&a.enable(11),E.vertexUv1s&&a.enable(12),E.vertexUv2s&&a.enable(13),E.vertexUv3s&&a.enable(14),E.vertexTangents&&a.enable(15),E.anisotropy&&a.enable(16),E.alphaHash&&a.enable(17),E.batching&&a.enable(18),E.dispersion&&a.enable(19),E.retroreflection&&a.enable(24),E.diffuseRoughness&&a.enable(25),E.batchingColor&&a.enable(20),E.gradientMap&&a.enable(21),E.packedNormalMap&&a.enable(22),E.vertexNormals&&a.enable(23),g.push(a.mask),a.disableAll(),E.fog&&a.enable(0),E.useFog&&a.enable(1),E.flatShading&&a.enable(2),E.logarithmicDepthBuffer&&a.enable(3),E.reversedDepthBuffer&&a.enable(4),E.skinning&&a.enable(5),E.morphTargets&&a.enable(6),E.morphNormals&&a.enable(7),E.morphColors&&a.enable(8),E.premultipliedAlpha&&a.enable(9),E.shadowMapEnabled&&a.enable(10),E.doubleSided&&a.enable(11),E.flipSided&&a.enable(12),E.useDepthPacking&&a.enable(13),E.dithering&&a.enable(14),E.transmission&&a.enable(15),E.sheen&&a.enable(16),E.opaque&&a.enable(17),E.pointsUvs&&a.enable(18),E.decodeVideoTexture&&a.enable(19),E.decodeVideoTextureEmissive&&a.enable(20),E.alphaToCoverage&&a.enable(21),E.numLightProbeGrids>0&&a.enable(22),E.hasPositionAttribute&&a.enable(23),g.push(a.mask)}function v(g){const E=h[g.type];let U;if(E){const P=gn[E];U=Pp.clone(P.uniforms)}else U=g.uniforms;return U}function w(g,E){let U=u.get(E);return U!==void 0?++U.usedTimes:(U=new Q0(n,E,g,r),c.push(U),u.set(E,U)),U}function y(g){if(--g.usedTimes===0){const E=c.indexOf(g);c[E]=c[c.length-1],c.pop(),u.delete(g.cacheKey),g.destroy()}}function A(g){o.remove(g)}function R(){o.dispose()}return{getParameters:_,getProgramCacheKey:S,getUniforms:v,acquireProgram:w,releaseProgram:y,releaseShaderCache:A,programs:c,dispose:R}}function rv(){let n=new WeakMap;function e(a){return n.has(a)}function t(a){let o=n.get(a);return o===void 0&&(o={},n.set(a,o)),o}function i(a){n.delete(a)}function r(a,o,l){n.get(a)[o]=l}function s(){n=new WeakMap}return{has:e,get:t,remove:i,update:r,dispose:s}}function sv(n,e){return n.groupOrder!==e.groupOrder?n.groupOrder-e.groupOrder:n.renderOrder!==e.renderOrder?n.renderOrder-e.renderOrder:n.material.id!==e.material.id?n.material.id-e.material.id:n.materialVariant!==e.materialVariant?n.materialVariant-e.materialVariant:n.z!==e.z?n.z-e.z:n.id-e.id}function Oc(n,e){return n.groupOrder!==e.groupOrder?n.groupOrder-e.groupOrder:n.renderOrder!==e.renderOrder?n.renderOrder-e.renderOrder:n.z!==e.z?e.z-n.z:n.id-e.id}function Bc(){const n=[];let e=0;const t=[],i=[],r=[];function s(){e=0,t.length=0,i.length=0,r.length=0}function a(h){let d=0;return h.isInstancedMesh&&(d+=2),h.isSkinnedMesh&&(d+=1),d}function o(h,d,_,S,m,f){let v=n[e];return v===void 0?(v={id:h.id,object:h,geometry:d,material:_,materialVariant:a(h),groupOrder:S,renderOrder:h.renderOrder,z:m,group:f},n[e]=v):(v.id=h.id,v.object=h,v.geometry=d,v.material=_,v.materialVariant=a(h),v.groupOrder=S,v.renderOrder=h.renderOrder,v.z=m,v.group=f),e++,v}function l(h,d,_,S,m,f,v){v.reversedDepth===!0&&(m=-m);const w=o(h,d,_,S,m,f);_.transmission>0?i.push(w):_.transparent===!0?r.push(w):t.push(w)}function c(h,d,_,S,m,f){const v=o(h,d,_,S,m,f);_.transmission>0?i.unshift(v):_.transparent===!0?r.unshift(v):t.unshift(v)}function u(h,d){t.length>1&&t.sort(h||sv),i.length>1&&i.sort(d||Oc),r.length>1&&r.sort(d||Oc)}function p(){for(let h=e,d=n.length;h<d;h++){const _=n[h];if(_.id===null)break;_.id=null,_.object=null,_.geometry=null,_.material=null,_.group=null}}return{opaque:t,transmissive:i,transparent:r,init:s,push:l,unshift:c,finish:p,sort:u}}function av(){let n=new WeakMap;function e(i,r){const s=n.get(i);let a;return s===void 0?(a=new Bc,n.set(i,[a])):r>=s.length?(a=new Bc,s.push(a)):a=s[r],a}function t(){n=new WeakMap}return{get:e,dispose:t}}function ov(){const n={};return{get:function(e){if(n[e.id]!==void 0)return n[e.id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={direction:new V,color:new Ye};break;case"SpotLight":t={position:new V,direction:new V,color:new Ye,distance:0,coneCos:0,penumbraCos:0,decay:0};break;case"PointLight":t={position:new V,color:new Ye,distance:0,decay:0};break;case"HemisphereLight":t={direction:new V,skyColor:new Ye,groundColor:new Ye};break;case"RectAreaLight":t={color:new Ye,position:new V,halfWidth:new V,halfHeight:new V};break}return n[e.id]=t,t}}}function lv(){const n={};return{get:function(e){if(n[e.id]!==void 0)return n[e.id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new Xe};break;case"SpotLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new Xe};break;case"PointLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new Xe,shadowCameraNear:1,shadowCameraFar:1e3};break}return n[e.id]=t,t}}}let cv=0;function uv(n,e){return(e.castShadow?2:0)-(n.castShadow?2:0)+(e.map?1:0)-(n.map?1:0)}function hv(n){const e=new ov,t=lv(),i={version:0,hash:{sunLength:-1,directionalLength:-1,pointLength:-1,spotLength:-1,rectAreaLength:-1,hemiLength:-1,numSunShadows:-1,numDirectionalShadows:-1,numPointShadows:-1,numSpotShadows:-1,numSpotMaps:-1,numLightProbes:-1},ambient:[0,0,0],probe:[],sun:[],sunShadow:[],sunShadowMap:[],sunShadowMatrix:[],sunShadowCascade:[],directional:[],directionalShadow:[],directionalShadowMap:[],directionalShadowMatrix:[],spot:[],spotLightMap:[],spotShadow:[],spotShadowMap:[],spotLightMatrix:[],rectArea:[],rectAreaLTC1:null,rectAreaLTC2:null,point:[],pointShadow:[],pointShadowMap:[],pointShadowMatrix:[],hemi:[],numSpotLightShadowsWithMaps:0,numLightProbes:0};for(let c=0;c<9;c++)i.probe.push(new V);const r=new V,s=new dt,a=new dt;function o(c){let u=0,p=0,h=0;for(let G=0;G<9;G++)i.probe[G].set(0,0,0);let d=0,_=0,S=0,m=0,f=0,v=0,w=0,y=0,A=0,R=0,g=0,E=0,U=0,P=0;c.sort(uv);for(let G=0,W=c.length;G<W;G++){const I=c[G],F=I.color,K=I.intensity,k=I.distance;let te=null;if(I.shadow&&I.shadow.map&&(I.shadow.map.texture.format===gi?te=I.shadow.map.texture:te=I.shadow.map.depthTexture||I.shadow.map.texture),I.isAmbientLight)u+=F.r*K,p+=F.g*K,h+=F.b*K;else if(I.isLightProbe){for(let X=0;X<9;X++)i.probe[X].addScaledVector(I.sh.coefficients[X],K);P++}else if(I.isSunLight){const X=e.get(I);if(X.color.copy(I.color).multiplyScalar(I.intensity),I.castShadow){const j=I.shadow,ee=t.get(I);ee.shadowIntensity=j.intensity,ee.shadowBias=j.bias,ee.shadowNormalBias=j.normalBias,ee.shadowRadius=j.radius,ee.shadowMapSize.copy(j.mapSize).multiply(j.getFrameExtents()),i.sunShadow[_]=ee,i.sunShadowMap[_]=te;const ye=j.getViewportCount();for(let Ie=0;Ie<ye;Ie++)i.sunShadowMatrix[S+Ie]=j.getMatrix(Ie),i.sunShadowCascade[S+Ie]=j._cascadeData[Ie];S+=ye,_++}i.sun[d]=X,d++}else if(I.isDirectionalLight){const X=e.get(I);if(X.color.copy(I.color).multiplyScalar(I.intensity),I.castShadow){const j=I.shadow,ee=t.get(I);ee.shadowIntensity=j.intensity,ee.shadowBias=j.bias,ee.shadowNormalBias=j.normalBias,ee.shadowRadius=j.radius,ee.shadowMapSize=j.mapSize,i.directionalShadow[m]=ee,i.directionalShadowMap[m]=te,i.directionalShadowMatrix[m]=I.shadow.matrix,A++}i.directional[m]=X,m++}else if(I.isSpotLight){const X=e.get(I);X.position.setFromMatrixPosition(I.matrixWorld),X.color.copy(F).multiplyScalar(K),X.distance=k,X.coneCos=Math.cos(I.angle),X.penumbraCos=Math.cos(I.angle*(1-I.penumbra)),X.decay=I.decay,i.spot[v]=X;const j=I.shadow;if(I.map&&(i.spotLightMap[E]=I.map,E++,j.updateMatrices(I),I.castShadow&&U++),i.spotLightMatrix[v]=j.matrix,I.castShadow){const ee=t.get(I);ee.shadowIntensity=j.intensity,ee.shadowBias=j.bias,ee.shadowNormalBias=j.normalBias,ee.shadowRadius=j.radius,ee.shadowMapSize=j.mapSize,i.spotShadow[v]=ee,i.spotShadowMap[v]=te,g++}v++}else if(I.isRectAreaLight){const X=e.get(I);X.color.copy(F).multiplyScalar(K),X.halfWidth.set(I.width*.5,0,0),X.halfHeight.set(0,I.height*.5,0),i.rectArea[w]=X,w++}else if(I.isPointLight){const X=e.get(I);if(X.color.copy(I.color).multiplyScalar(I.intensity),X.distance=I.distance,X.decay=I.decay,I.castShadow){const j=I.shadow,ee=t.get(I);ee.shadowIntensity=j.intensity,ee.shadowBias=j.bias,ee.shadowNormalBias=j.normalBias,ee.shadowRadius=j.radius,ee.shadowMapSize=j.mapSize,ee.shadowCameraNear=j.camera.near,ee.shadowCameraFar=j.camera.far,i.pointShadow[f]=ee,i.pointShadowMap[f]=te,i.pointShadowMatrix[f]=I.shadow.matrix,R++}i.point[f]=X,f++}else if(I.isHemisphereLight){const X=e.get(I);X.skyColor.copy(I.color).multiplyScalar(K),X.groundColor.copy(I.groundColor).multiplyScalar(K),i.hemi[y]=X,y++}}w>0&&(n.has("OES_texture_float_linear")===!0?(i.rectAreaLTC1=pe.LTC_FLOAT_1,i.rectAreaLTC2=pe.LTC_FLOAT_2):(i.rectAreaLTC1=pe.LTC_HALF_1,i.rectAreaLTC2=pe.LTC_HALF_2)),i.ambient[0]=u,i.ambient[1]=p,i.ambient[2]=h;const D=i.hash;(D.sunLength!==d||D.directionalLength!==m||D.pointLength!==f||D.spotLength!==v||D.rectAreaLength!==w||D.hemiLength!==y||D.numSunShadows!==_||D.numDirectionalShadows!==A||D.numPointShadows!==R||D.numSpotShadows!==g||D.numSpotMaps!==E||D.numLightProbes!==P)&&(i.sun.length=d,i.directional.length=m,i.spot.length=v,i.rectArea.length=w,i.point.length=f,i.hemi.length=y,i.sunShadow.length=_,i.sunShadowMap.length=_,i.sunShadowMatrix.length=S,i.sunShadowCascade.length=S,i.directionalShadow.length=A,i.directionalShadowMap.length=A,i.directionalShadowMatrix.length=A,i.pointShadow.length=R,i.pointShadowMap.length=R,i.pointShadowMatrix.length=R,i.spotShadow.length=g,i.spotShadowMap.length=g,i.spotLightMatrix.length=g+E-U,i.spotLightMap.length=E,i.numSpotLightShadowsWithMaps=U,i.numLightProbes=P,D.sunLength=d,D.directionalLength=m,D.pointLength=f,D.spotLength=v,D.rectAreaLength=w,D.hemiLength=y,D.numSunShadows=_,D.numDirectionalShadows=A,D.numPointShadows=R,D.numSpotShadows=g,D.numSpotMaps=E,D.numLightProbes=P,i.version=cv++)}function l(c,u){let p=0,h=0,d=0,_=0,S=0,m=0;const f=u.matrixWorldInverse;for(let v=0,w=c.length;v<w;v++){const y=c[v];if(y.isSunLight){const A=i.sun[p];A.direction.setFromMatrixPosition(y.matrixWorld),A.direction.transformDirection(f),p++}else if(y.isDirectionalLight){const A=i.directional[h];A.direction.setFromMatrixPosition(y.matrixWorld),r.setFromMatrixPosition(y.target.matrixWorld),A.direction.sub(r),A.direction.transformDirection(f),h++}else if(y.isSpotLight){const A=i.spot[_];A.position.setFromMatrixPosition(y.matrixWorld),A.position.applyMatrix4(f),A.direction.setFromMatrixPosition(y.matrixWorld),r.setFromMatrixPosition(y.target.matrixWorld),A.direction.sub(r),A.direction.transformDirection(f),_++}else if(y.isRectAreaLight){const A=i.rectArea[S];A.position.setFromMatrixPosition(y.matrixWorld),A.position.applyMatrix4(f),a.identity(),s.copy(y.matrixWorld),s.premultiply(f),a.extractRotation(s),A.halfWidth.set(y.width*.5,0,0),A.halfHeight.set(0,y.height*.5,0),A.halfWidth.applyMatrix4(a),A.halfHeight.applyMatrix4(a),S++}else if(y.isPointLight){const A=i.point[d];A.position.setFromMatrixPosition(y.matrixWorld),A.position.applyMatrix4(f),d++}else if(y.isHemisphereLight){const A=i.hemi[m];A.direction.setFromMatrixPosition(y.matrixWorld),A.direction.transformDirection(f),m++}}}return{setup:o,setupView:l,state:i}}function kc(n){const e=new hv(n),t=[],i=[],r=[];function s(p){u.camera=p,t.length=0,i.length=0,r.length=0}function a(p){p.isLightProbeGrid?r.push(p):t.push(p)}function o(p){i.push(p)}function l(){e.setup(t),r.sort((p,h)=>p.priority-h.priority||p.id-h.id)}function c(p){e.setupView(t,p)}const u={lightsArray:t,shadowsArray:i,lightProbeGridArray:r,camera:null,lights:e,transmissionRenderTarget:{},textureUnits:0};return{init:s,state:u,setupLights:l,setupLightsView:c,pushLight:a,pushShadow:o}}function dv(n){let e=new WeakMap;function t(r,s=0){const a=e.get(r);let o;return a===void 0?(o=new kc(n),e.set(r,[o])):s>=a.length?(o=new kc(n),a.push(o)):o=a[s],o}function i(){e=new WeakMap}return{get:t,dispose:i}}const fv=`void main() {
+	gl_Position = vec4( position, 1.0 );
+}`,pv=`uniform sampler2D shadow_pass;
+uniform vec2 resolution;
+uniform float radius;
+void main() {
+	const float samples = float( VSM_SAMPLES );
+	float mean = 0.0;
+	float squared_mean = 0.0;
+	float uvStride = samples <= 1.0 ? 0.0 : 2.0 / ( samples - 1.0 );
+	float uvStart = samples <= 1.0 ? 0.0 : - 1.0;
+	for ( float i = 0.0; i < samples; i ++ ) {
+		float uvOffset = uvStart + i * uvStride;
+		#ifdef HORIZONTAL_PASS
+			vec2 distribution = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( uvOffset, 0.0 ) * radius ) / resolution ).rg;
+			mean += distribution.x;
+			squared_mean += distribution.y * distribution.y + distribution.x * distribution.x;
+		#else
+			float depth = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( 0.0, uvOffset ) * radius ) / resolution ).r;
+			mean += depth;
+			squared_mean += depth * depth;
+		#endif
+	}
+	mean = mean / samples;
+	squared_mean = squared_mean / samples;
+	float std_dev = sqrt( max( 0.0, squared_mean - mean * mean ) );
+	gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );
+}`,mv=[new V(1,0,0),new V(-1,0,0),new V(0,1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1)],gv=[new V(0,-1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1),new V(0,-1,0),new V(0,-1,0)],zc=new dt,Zi=new V,Sa=new V;function _v(n,e,t){let i=new ys;const r=new Xe,s=new Xe,a=new lt,o=new Ip,l=new Np,c={},u=t.maxTextureSize,p={[mi]:Gt,[Gt]:mi,[_n]:_n},h=new vi({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{value:new Xe},radius:{value:4}},vertexShader:fv,fragmentShader:pv}),d=h.clone();d.defines.HORIZONTAL_PASS=1;const _=new On;_.setAttribute("position",new Mn(new Float32Array([-1,-1,.5,3,-1,.5,-1,3,.5]),3));const S=new ei(_,h),m=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=jr;let f=this.type;this.render=function(R,g,E){if(m.enabled===!1||m.autoUpdate===!1&&m.needsUpdate===!1||R.length===0)return;this.type===xf&&(Pe("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFShadowMap instead."),this.type=jr);const U=n.getRenderTarget(),P=n.getActiveCubeFace(),D=n.getActiveMipmapLevel(),G=n.state;G.setBlending(ui),G.buffers.depth.getReversed()===!0?G.buffers.color.setClear(0,0,0,0):G.buffers.color.setClear(1,1,1,1),G.buffers.depth.setTest(!0),G.setScissorTest(!1);const W=f!==this.type;W&&g.traverse(function(I){I.material&&(Array.isArray(I.material)?I.material.forEach(F=>F.needsUpdate=!0):I.material.needsUpdate=!0)});for(let I=0,F=R.length;I<F;I++){const K=R[I],k=K.shadow;if(k===void 0){Pe("WebGLShadowMap:",K,"has no shadow.");continue}if(k.autoUpdate===!1&&k.needsUpdate===!1)continue;r.copy(k.mapSize);const te=k.getFrameExtents();r.multiply(te),s.copy(k.mapSize),(r.x>u||r.y>u)&&(r.x>u&&(s.x=Math.floor(u/te.x),r.x=s.x*te.x,k.mapSize.x=s.x),r.y>u&&(s.y=Math.floor(u/te.y),r.y=s.y*te.y,k.mapSize.y=s.y));const X=n.state.buffers.depth.getReversed();if(k.camera._reversedDepth=X,k.map===null||W===!0){if(k.map!==null&&(k.map.depthTexture!==null&&(k.map.depthTexture.dispose(),k.map.depthTexture=null),k.map.dispose()),this.type===Qi){if(K.isPointLight){Pe("WebGLShadowMap: VSM shadow maps are not supported for PointLights. Use PCF or BasicShadowMap instead.");continue}k.map=new hn(r.x,r.y,{format:gi,type:qt,minFilter:Ut,magFilter:Ut,generateMipmaps:!1}),k.map.texture.name=K.name+".shadowMap",k.map.depthTexture=new Bi(r.x,r.y,zt),k.map.depthTexture.name=K.name+".shadowMapDepth",k.map.depthTexture.format=jn,k.map.depthTexture.compareFunction=null,k.map.depthTexture.minFilter=gt,k.map.depthTexture.magFilter=gt}else K.isPointLight?(k.map=new ol(r.x),k.map.depthTexture=new Ah(r.x,yn)):(k.map=new hn(r.x,r.y),k.map.depthTexture=new Bi(r.x,r.y,yn)),k.map.depthTexture.name=K.name+".shadowMap",k.map.depthTexture.format=jn,this.type===jr?(k.map.depthTexture.compareFunction=X?vh:_h,k.map.depthTexture.minFilter=Ut,k.map.depthTexture.magFilter=Ut):(k.map.depthTexture.compareFunction=null,k.map.depthTexture.minFilter=gt,k.map.depthTexture.magFilter=gt);k.camera.updateProjectionMatrix()}k.map.isWebGLCubeRenderTarget!==!0&&(k.map.width!==r.x||k.map.height!==r.y)&&k.map.setSize(r.x,r.y);const j=k.map.isWebGLCubeRenderTarget?6:k.getViewportCount();K.isPointLight!==!0&&k.updateMatrices(K,E);const ee=(k.camera.layers.mask&4294967294)!==0?k.camera.layers:E.layers;for(let ye=0;ye<j;ye++){const Ie=k.getCamera(ye);if(K.isPointLight){const Z=k.camera,me=k.matrix,xe=K.distance||Z.far;xe!==Z.far&&(Z.far=xe,Z.updateProjectionMatrix()),Zi.setFromMatrixPosition(K.matrixWorld),Z.position.copy(Zi),Sa.copy(Z.position),Sa.add(mv[ye]),Z.up.copy(gv[ye]),Z.lookAt(Sa),Z.updateMatrixWorld(),me.makeTranslation(-Zi.x,-Zi.y,-Zi.z),zc.multiplyMatrices(Z.projectionMatrix,Z.matrixWorldInverse),k._frustum.setFromProjectionMatrix(zc,Z.coordinateSystem,Z.reversedDepth)}if(k.map.isWebGLCubeRenderTarget)n.setRenderTarget(k.map,ye),n.clear();else{ye===0&&(n.setRenderTarget(k.map),n.clear());const Z=k.getViewport(ye);a.set(s.x*Z.x,s.y*Z.y,s.x*Z.z,s.y*Z.w),G.viewport(a)}i=k.getFrustum(ye),y(g,E,Ie,K,ee,this.type)}k.isPointLightShadow!==!0&&this.type===Qi&&v(k,E),k.needsUpdate=!1}f=this.type,m.needsUpdate=!1,n.setRenderTarget(U,P,D)};function v(R,g){const E=e.update(S);h.defines.VSM_SAMPLES!==R.blurSamples&&(h.defines.VSM_SAMPLES=R.blurSamples,d.defines.VSM_SAMPLES=R.blurSamples,h.needsUpdate=!0,d.needsUpdate=!0),R.mapPass===null?R.mapPass=new hn(r.x,r.y,{format:gi,type:qt}):(R.mapPass.width!==R.map.width||R.mapPass.height!==R.map.height)&&R.mapPass.setSize(R.map.width,R.map.height),h.uniforms.shadow_pass.value=R.map.depthTexture,h.uniforms.resolution.value.set(R.map.width,R.map.height),h.uniforms.radius.value=R.radius,n.setRenderTarget(R.mapPass),n.clear(),n.renderBufferDirect(g,null,E,h,S,null),d.uniforms.shadow_pass.value=R.mapPass.texture,d.uniforms.resolution.value.set(R.map.width,R.map.height),d.uniforms.radius.value=R.radius,n.setRenderTarget(R.map),n.clear(),n.renderBufferDirect(g,null,E,d,S,null)}function w(R,g,E,U){let P=null;const D=E.isPointLight===!0?R.customDistanceMaterial:R.customDepthMaterial;if(D!==void 0)P=D;else if(P=E.isPointLight===!0?l:o,n.localClippingEnabled&&g.clipShadows===!0&&Array.isArray(g.clippingPlanes)&&g.clippingPlanes.length!==0||g.displacementMap&&g.displacementScale!==0||g.alphaMap&&g.alphaTest>0||g.map&&g.alphaTest>0||g.alphaToCoverage===!0){const G=P.uuid,W=g.uuid;let I=c[G];I===void 0&&(I={},c[G]=I);let F=I[W];F===void 0&&(F=P.clone(),I[W]=F,g.addEventListener("dispose",A)),P=F}if(P.visible=g.visible,P.wireframe=g.wireframe,U===Qi?P.side=g.shadowSide!==null?g.shadowSide:g.side:P.side=g.shadowSide!==null?g.shadowSide:p[g.side],P.alphaMap=g.alphaMap,P.alphaTest=g.alphaToCoverage===!0?.5:g.alphaTest,P.map=g.map,P.clipShadows=g.clipShadows,P.clippingPlanes=g.clippingPlanes,P.clipIntersection=g.clipIntersection,P.displacementMap=g.displacementMap,P.displacementScale=g.displacementScale,P.displacementBias=g.displacementBias,P.wireframeLinewidth=g.wireframeLinewidth,P.linewidth=g.linewidth,E.isPointLight===!0&&P.isMeshDistanceMaterial===!0){const G=n.properties.get(P);G.light=E}return P}function y(R,g,E,U,P,D){if(R.visible===!1)return;if(R.layers.test(P)&&(R.isMesh||R.isLine||R.isPoints)&&(R.castShadow||R.receiveShadow&&D===Qi)&&(!R.frustumCulled||R.intersectsFrustum(i))){R.modelViewMatrix.multiplyMatrices(E.matrixWorldInverse,R.matrixWorld);const I=e.update(R),F=R.material;if(Array.isArray(F)){const K=I.groups;for(let k=0,te=K.length;k<te;k++){const X=K[k],j=F[X.materialIndex];if(j&&j.visible){const ee=w(R,j,U,D);R.onBeforeShadow(n,R,g,E,I,ee,X),n.renderBufferDirect(E,null,I,ee,R,X),R.onAfterShadow(n,R,g,E,I,ee,X)}}}else if(F.visible){const K=w(R,F,U,D);R.onBeforeShadow(n,R,g,E,I,K,null),n.renderBufferDirect(E,null,I,K,R,null),R.onAfterShadow(n,R,g,E,I,K,null)}}const W=R.children;for(let I=0,F=W.length;I<F;I++)y(W[I],g,E,U,P,D)}function A(R){R.target.removeEventListener("dispose",A);for(const E in c){const U=c[E],P=R.target.uuid;P in U&&(U[P].dispose(),delete U[P])}}}function vv(n,e){function t(){let C=!1;const J=new lt;let $=null;const le=new lt(0,0,0,0);return{setMask:function(re){$!==re&&!C&&(n.colorMask(re,re,re,re),$=re)},setLocked:function(re){C=re},setClear:function(re,ae,be,Oe,ie){ie===!0&&(re*=Oe,ae*=Oe,be*=Oe),J.set(re,ae,be,Oe),le.equals(J)===!1&&(n.clearColor(re,ae,be,Oe),le.copy(J))},reset:function(){C=!1,$=null,le.set(-1,0,0,0)}}}function i(){let C=!1,J=!1,$=null,le=null,re=null;return{setReversed:function(ae){if(J!==ae){const be=e.get("EXT_clip_control");ae?be.clipControlEXT(be.LOWER_LEFT_EXT,be.ZERO_TO_ONE_EXT):be.clipControlEXT(be.LOWER_LEFT_EXT,be.NEGATIVE_ONE_TO_ONE_EXT),J=ae;const Oe=re;re=null,this.setClear(Oe)}},getReversed:function(){return J},setTest:function(ae){ae?ge(n.DEPTH_TEST):Ue(n.DEPTH_TEST)},setMask:function(ae){$!==ae&&!C&&(n.depthMask(ae),$=ae)},setFunc:function(ae){if(J&&(ae=Jf[ae]),le!==ae){switch(ae){case Ia:n.depthFunc(n.NEVER);break;case Na:n.depthFunc(n.ALWAYS);break;case ms:n.depthFunc(n.LESS);break;case ar:n.depthFunc(n.LEQUAL);break;case Ua:n.depthFunc(n.EQUAL);break;case Fa:n.depthFunc(n.GEQUAL);break;case Oa:n.depthFunc(n.GREATER);break;case Ba:n.depthFunc(n.NOTEQUAL);break;default:n.depthFunc(n.LEQUAL)}le=ae}},setLocked:function(ae){C=ae},setClear:function(ae){re!==ae&&(re=ae,J&&(ae=1-ae),n.clearDepth(ae))},reset:function(){C=!1,$=null,le=null,re=null,J=!1}}}function r(){let C=!1,J=null,$=null,le=null,re=null,ae=null,be=null,Oe=null,ie=null;return{setTest:function(Te){C||(Te?ge(n.STENCIL_TEST):Ue(n.STENCIL_TEST))},setMask:function(Te){J!==Te&&!C&&(n.stencilMask(Te),J=Te)},setFunc:function(Te,Fe,fe){($!==Te||le!==Fe||re!==fe)&&(n.stencilFunc(Te,Fe,fe),$=Te,le=Fe,re=fe)},setOp:function(Te,Fe,fe){(ae!==Te||be!==Fe||Oe!==fe)&&(n.stencilOp(Te,Fe,fe),ae=Te,be=Fe,Oe=fe)},setLocked:function(Te){C=Te},setClear:function(Te){ie!==Te&&(n.clearStencil(Te),ie=Te)},reset:function(){C=!1,J=null,$=null,le=null,re=null,ae=null,be=null,Oe=null,ie=null}}}const s=new t,a=new i,o=new r;let l={};const c=new WeakMap;let u={},p={},h={},d=new WeakMap,_=[],S=null,m=!1,f=null,v=null,w=null,y=null,A=null,R=null,g=null,E=new Ye(0,0,0),U=0,P=!1,D=null,G=null,W=null,I=null,F=null;const K=n.getParameter(n.MAX_COMBINED_TEXTURE_IMAGE_UNITS);let k=!1,te=0;const X=n.getParameter(n.VERSION);X.indexOf("WebGL")!==-1?(te=parseFloat(/^WebGL (\d)/.exec(X)[1]),k=te>=1):X.indexOf("OpenGL ES")!==-1&&(te=parseFloat(/^OpenGL ES (\d)/.exec(X)[1]),k=te>=2);let j=null,ee={};const ye=n.getParameter(n.SCISSOR_BOX),Ie=n.getParameter(n.VIEWPORT),Z=new lt().fromArray(ye),me=new lt().fromArray(Ie);function xe(C,J,$,le){const re=new Uint8Array(4),ae=n.createTexture();n.bindTexture(C,ae),n.texParameteri(C,n.TEXTURE_MIN_FILTER,n.NEAREST),n.texParameteri(C,n.TEXTURE_MAG_FILTER,n.NEAREST);for(let be=0;be<$;be++)C===n.TEXTURE_3D||C===n.TEXTURE_2D_ARRAY?n.texImage3D(J,0,n.RGBA,1,1,le,0,n.RGBA,n.UNSIGNED_BYTE,re):n.texImage2D(J+be,0,n.RGBA,1,1,0,n.RGBA,n.UNSIGNED_BYTE,re);return ae}const Ae={};Ae[n.TEXTURE_2D]=xe(n.TEXTURE_2D,n.TEXTURE_2D,1),Ae[n.TEXTURE_CUBE_MAP]=xe(n.TEXTURE_CUBE_MAP,n.TEXTURE_CUBE_MAP_POSITIVE_X,6),Ae[n.TEXTURE_2D_ARRAY]=xe(n.TEXTURE_2D_ARRAY,n.TEXTURE_2D_ARRAY,1,1),Ae[n.TEXTURE_3D]=xe(n.TEXTURE_3D,n.TEXTURE_3D,1,1),s.setClear(0,0,0,1),a.setClear(1),o.setClear(0),ge(n.DEPTH_TEST),a.setFunc(ar),Ot(!1),at(Yl),ge(n.CULL_FACE),Tt(ui);function ge(C){u[C]!==!0&&(n.enable(C),u[C]=!0)}function Ue(C){u[C]!==!1&&(n.disable(C),u[C]=!1)}function ft(C,J){return h[C]!==J?(n.bindFramebuffer(C,J),h[C]=J,C===n.DRAW_FRAMEBUFFER&&(h[n.FRAMEBUFFER]=J),C===n.FRAMEBUFFER&&(h[n.DRAW_FRAMEBUFFER]=J),!0):!1}function Ce(C,J){let $=_,le=!1;if(C){$=d.get(J),$===void 0&&($=[],d.set(J,$));const re=C.textures;if($.length!==re.length||$[0]!==n.COLOR_ATTACHMENT0){for(let ae=0,be=re.length;ae<be;ae++)$[ae]=n.COLOR_ATTACHMENT0+ae;$.length=re.length,le=!0}}else $[0]!==n.BACK&&($[0]=n.BACK,le=!0);le&&n.drawBuffers($)}function Ke(C){return S!==C?(n.useProgram(C),S=C,!0):!1}const Qe={[Di]:n.FUNC_ADD,[Sf]:n.FUNC_SUBTRACT,[Mf]:n.FUNC_REVERSE_SUBTRACT};Qe[yf]=n.MIN,Qe[Ef]=n.MAX;const ke={[bf]:n.ZERO,[Da]:n.ONE,[wf]:n.SRC_COLOR,[eh]:n.SRC_ALPHA,[Lf]:n.SRC_ALPHA_SATURATE,[Cf]:n.DST_COLOR,[Af]:n.DST_ALPHA,[Tf]:n.ONE_MINUS_SRC_COLOR,[th]:n.ONE_MINUS_SRC_ALPHA,[Pf]:n.ONE_MINUS_DST_COLOR,[Rf]:n.ONE_MINUS_DST_ALPHA,[Df]:n.CONSTANT_COLOR,[If]:n.ONE_MINUS_CONSTANT_COLOR,[Nf]:n.CONSTANT_ALPHA,[Uf]:n.ONE_MINUS_CONSTANT_ALPHA};function Tt(C,J,$,le,re,ae,be,Oe,ie,Te){if(C===ui){m===!0&&(Ue(n.BLEND),m=!1);return}if(m===!1&&(ge(n.BLEND),m=!0),C!==ju){if(C!==f||Te!==P){if((v!==Di||A!==Di)&&(n.blendEquation(n.FUNC_ADD),v=Di,A=Di),Te)switch(C){case ir:n.blendFuncSeparate(n.ONE,n.ONE_MINUS_SRC_ALPHA,n.ONE,n.ONE_MINUS_SRC_ALPHA);break;case Kl:n.blendFunc(n.ONE,n.ONE);break;case Zl:n.blendFuncSeparate(n.ZERO,n.ONE_MINUS_SRC_COLOR,n.ZERO,n.ONE);break;case Jl:n.blendFuncSeparate(n.DST_COLOR,n.ONE_MINUS_SRC_ALPHA,n.ZERO,n.ONE);break;default:qe("WebGLState: Invalid blending: ",C);break}else switch(C){case ir:n.blendFuncSeparate(n.SRC_ALPHA,n.ONE_MINUS_SRC_ALPHA,n.ONE,n.ONE_MINUS_SRC_ALPHA);break;case Kl:n.blendFuncSeparate(n.SRC_ALPHA,n.ONE,n.ONE,n.ONE);break;case Zl:qe("WebGLState: SubtractiveBlending requires material.premultipliedAlpha = true");break;case Jl:qe("WebGLState: MultiplyBlending requires material.premultipliedAlpha = true");break;default:qe("WebGLState: Invalid blending: ",C);break}w=null,y=null,R=null,g=null,E.set(0,0,0),U=0,f=C,P=Te}return}re=re||J,ae=ae||$,be=be||le,(J!==v||re!==A)&&(n.blendEquationSeparate(Qe[J],Qe[re]),v=J,A=re),($!==w||le!==y||ae!==R||be!==g)&&(n.blendFuncSeparate(ke[$],ke[le],ke[ae],ke[be]),w=$,y=le,R=ae,g=be),(Oe.equals(E)===!1||ie!==U)&&(n.blendColor(Oe.r,Oe.g,Oe.b,ie),E.copy(Oe),U=ie),f=C,P=!1}function _t(C,J){C.side===_n?Ue(n.CULL_FACE):ge(n.CULL_FACE);let $=C.side===Gt;J&&($=!$),Ot($),C.blending===ir&&C.transparent===!1?Tt(ui):Tt(C.blending,C.blendEquation,C.blendSrc,C.blendDst,C.blendEquationAlpha,C.blendSrcAlpha,C.blendDstAlpha,C.blendColor,C.blendAlpha,C.premultipliedAlpha),a.setFunc(C.depthFunc),a.setTest(C.depthTest),a.setMask(C.depthWrite),s.setMask(C.colorWrite);const le=C.stencilWrite;o.setTest(le),le&&(o.setMask(C.stencilWriteMask),o.setFunc(C.stencilFunc,C.stencilRef,C.stencilFuncMask),o.setOp(C.stencilFail,C.stencilZFail,C.stencilZPass)),Mt(C.polygonOffset,C.polygonOffsetFactor,C.polygonOffsetUnits),C.alphaToCoverage===!0?ge(n.SAMPLE_ALPHA_TO_COVERAGE):Ue(n.SAMPLE_ALPHA_TO_COVERAGE)}function Ot(C){D!==C&&(C?n.frontFace(n.CW):n.frontFace(n.CCW),D=C)}function at(C){C!==_f?(ge(n.CULL_FACE),C!==G&&(C===Yl?n.cullFace(n.BACK):C===vf?n.cullFace(n.FRONT):n.cullFace(n.FRONT_AND_BACK))):Ue(n.CULL_FACE),G=C}function dn(C){C!==W&&(k&&n.lineWidth(C),W=C)}function Mt(C,J,$){C?(ge(n.POLYGON_OFFSET_FILL),(I!==J||F!==$)&&(I=J,F=$,a.getReversed()&&(J=-J,$=-$),n.polygonOffset(J,$))):Ue(n.POLYGON_OFFSET_FILL)}function Yt(C){C?ge(n.SCISSOR_TEST):Ue(n.SCISSOR_TEST)}function Kt(C){C===void 0&&(C=n.TEXTURE0+K-1),j!==C&&(n.activeTexture(C),j=C)}function Zt(C,J,$){$===void 0&&(j===null?$=n.TEXTURE0+K-1:$=j);let le=ee[$];le===void 0&&(le={type:void 0,texture:void 0},ee[$]=le),(le.type!==C||le.texture!==J)&&(j!==$&&(n.activeTexture($),j=$),n.bindTexture(C,J||Ae[C]),le.type=C,le.texture=J)}function N(){const C=ee[j];C!==void 0&&C.type!==void 0&&(n.bindTexture(C.type,null),C.type=void 0,C.texture=void 0)}function Jt(){try{n.compressedTexImage2D(...arguments)}catch(C){qe("WebGLState:",C)}}function rt(){try{n.compressedTexImage3D(...arguments)}catch(C){qe("WebGLState:",C)}}function st(){try{n.texSubImage2D(...arguments)}catch(C){qe("WebGLState:",C)}}function de(){try{n.texSubImage3D(...arguments)}catch(C){qe("WebGLState:",C)}}function vt(){try{n.compressedTexSubImage2D(...arguments)}catch(C){qe("WebGLState:",C)}}function Re(){try{n.compressedTexSubImage3D(...arguments)}catch(C){qe("WebGLState:",C)}}function Le(){try{n.texStorage2D(...arguments)}catch(C){qe("WebGLState:",C)}}function T(){try{n.texStorage3D(...arguments)}catch(C){qe("WebGLState:",C)}}function x(){try{n.texImage2D(...arguments)}catch(C){qe("WebGLState:",C)}}function B(){try{n.texImage3D(...arguments)}catch(C){qe("WebGLState:",C)}}function ne(C){return p[C]!==void 0?p[C]:n.getParameter(C)}function Q(C,J){p[C]!==J&&(n.pixelStorei(C,J),p[C]=J)}function se(C){Z.equals(C)===!1&&(n.scissor(C.x,C.y,C.z,C.w),Z.copy(C))}function ue(C){me.equals(C)===!1&&(n.viewport(C.x,C.y,C.z,C.w),me.copy(C))}function q(C,J){let $=c.get(J);$===void 0&&($=new WeakMap,c.set(J,$));let le=$.get(C);le===void 0&&(le=n.getUniformBlockIndex(J,C.name),n.uniformBlockBinding(J,le,le),$.set(C,le))}function Y(C,J,$){const re=c.get(J).get(C);l[re]!==$&&(n.bindBufferBase(n.UNIFORM_BUFFER,re,$),l[re]=$)}function oe(){n.disable(n.BLEND),n.disable(n.CULL_FACE),n.disable(n.DEPTH_TEST),n.disable(n.POLYGON_OFFSET_FILL),n.disable(n.SCISSOR_TEST),n.disable(n.STENCIL_TEST),n.disable(n.SAMPLE_ALPHA_TO_COVERAGE),n.blendEquation(n.FUNC_ADD),n.blendFunc(n.ONE,n.ZERO),n.blendFuncSeparate(n.ONE,n.ZERO,n.ONE,n.ZERO),n.blendColor(0,0,0,0),n.colorMask(!0,!0,!0,!0),n.clearColor(0,0,0,0),n.depthMask(!0),n.depthFunc(n.LESS),a.setReversed(!1),n.clearDepth(1),n.stencilMask(4294967295),n.stencilFunc(n.ALWAYS,0,4294967295),n.stencilOp(n.KEEP,n.KEEP,n.KEEP),n.clearStencil(0),n.cullFace(n.BACK),n.frontFace(n.CCW),n.polygonOffset(0,0),n.activeTexture(n.TEXTURE0),n.bindFramebuffer(n.FRAMEBUFFER,null),n.bindFramebuffer(n.DRAW_FRAMEBUFFER,null),n.bindFramebuffer(n.READ_FRAMEBUFFER,null),n.useProgram(null),n.lineWidth(1),n.scissor(0,0,n.canvas.width,n.canvas.height),n.viewport(0,0,n.canvas.width,n.canvas.height),n.pixelStorei(n.PACK_ALIGNMENT,4),n.pixelStorei(n.UNPACK_ALIGNMENT,4),n.pixelStorei(n.UNPACK_FLIP_Y_WEBGL,!1),n.pixelStorei(n.UNPACK_PREMULTIPLY_ALPHA_WEBGL,!1),n.pixelStorei(n.UNPACK_COLORSPACE_CONVERSION_WEBGL,n.BROWSER_DEFAULT_WEBGL),n.pixelStorei(n.PACK_ROW_LENGTH,0),n.pixelStorei(n.PACK_SKIP_PIXELS,0),n.pixelStorei(n.PACK_SKIP_ROWS,0),n.pixelStorei(n.UNPACK_ROW_LENGTH,0),n.pixelStorei(n.UNPACK_IMAGE_HEIGHT,0),n.pixelStorei(n.UNPACK_SKIP_PIXELS,0),n.pixelStorei(n.UNPACK_SKIP_ROWS,0),n.pixelStorei(n.UNPACK_SKIP_IMAGES,0),u={},p={},j=null,ee={},h={},l={},d=new WeakMap,_=[],S=null,m=!1,f=null,v=null,w=null,y=null,A=null,R=null,g=null,E=new Ye(0,0,0),U=0,P=!1,D=null,G=null,W=null,I=null,F=null,Z.set(0,0,n.canvas.width,n.canvas.height),me.set(0,0,n.canvas.width,n.canvas.height),s.reset(),a.reset(),o.reset()}return{buffers:{color:s,depth:a,stencil:o},enable:ge,disable:Ue,bindFramebuffer:ft,drawBuffers:Ce,useProgram:Ke,setBlending:Tt,setMaterial:_t,setFlipSided:Ot,setCullFace:at,setLineWidth:dn,setPolygonOffset:Mt,setScissorTest:Yt,activeTexture:Kt,bindTexture:Zt,unbindTexture:N,compressedTexImage2D:Jt,compressedTexImage3D:rt,texImage2D:x,texImage3D:B,pixelStorei:Q,getParameter:ne,updateUBOMapping:q,uniformBlockBinding:Y,texStorage2D:Le,texStorage3D:T,texSubImage2D:st,texSubImage3D:de,compressedTexSubImage2D:vt,compressedTexSubImage3D:Re,scissor:se,viewport:ue,reset:oe}}function xv(n,e,t,i,r,s,a){const o=e.has("WEBGL_multisampled_render_to_texture")?e.get("WEBGL_multisampled_render_to_texture"):null,l=typeof navigator>"u"?!1:/OculusBrowser/g.test(navigator.userAgent),c=new Xe,u=new WeakMap,p=new Set;let h;const d=new WeakMap,_=new Set,S=new FinalizationRegistry(T=>_.delete(T));let m=!1;try{m=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(1,1).getContext("2d")!==null}catch{}function f(T,x){return m?new OffscreenCanvas(T,x):Ms("canvas")}function v(T,x,B){let ne=1;const Q=Le(T);if((Q.width>B||Q.height>B)&&(ne=B/Math.max(Q.width,Q.height)),ne<1)if(typeof HTMLImageElement<"u"&&T instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&T instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&T instanceof ImageBitmap||typeof VideoFrame<"u"&&T instanceof VideoFrame){const se=Math.floor(ne*Q.width),ue=Math.floor(ne*Q.height);h===void 0&&(h=f(se,ue));const q=x?f(se,ue):h;return q.width=se,q.height=ue,q.getContext("2d").drawImage(T,0,0,se,ue),Pe("WebGLRenderer: Texture has been resized from ("+Q.width+"x"+Q.height+") to ("+se+"x"+ue+")."),q}else return"data"in T&&Pe("WebGLRenderer: Image in DataTexture is too big ("+Q.width+"x"+Q.height+")."),T;return T}function w(T){return T.generateMipmaps}function y(T){n.generateMipmap(T)}function A(T){return T.isWebGLCubeRenderTarget?n.TEXTURE_CUBE_MAP:T.isWebGL3DRenderTarget?n.TEXTURE_3D:T.isWebGLArrayRenderTarget||T.isCompressedArrayTexture?n.TEXTURE_2D_ARRAY:n.TEXTURE_2D}function R(T,x,B,ne,Q,se=!1){if(T!==null){if(n[T]!==void 0)return n[T];Pe("WebGLRenderer: Attempt to use non-existing WebGL internal format '"+T+"'")}let ue;ne&&(ue=e.get("EXT_texture_norm16"),ue||Pe("WebGLRenderer: Unable to use normalized textures without EXT_texture_norm16 extension"));let q=x;if(x===n.RED&&(B===n.FLOAT&&(q=n.R32F),B===n.HALF_FLOAT&&(q=n.R16F),B===n.UNSIGNED_BYTE&&(q=n.R8),B===n.UNSIGNED_SHORT&&ue&&(q=ue.R16_EXT),B===n.SHORT&&ue&&(q=ue.R16_SNORM_EXT)),x===n.RED_INTEGER&&(B===n.UNSIGNED_BYTE&&(q=n.R8UI),B===n.UNSIGNED_SHORT&&(q=n.R16UI),B===n.UNSIGNED_INT&&(q=n.R32UI),B===n.BYTE&&(q=n.R8I),B===n.SHORT&&(q=n.R16I),B===n.INT&&(q=n.R32I)),x===n.RG&&(B===n.FLOAT&&(q=n.RG32F),B===n.HALF_FLOAT&&(q=n.RG16F),B===n.UNSIGNED_BYTE&&(q=n.RG8),B===n.UNSIGNED_SHORT&&ue&&(q=ue.RG16_EXT),B===n.SHORT&&ue&&(q=ue.RG16_SNORM_EXT)),x===n.RG_INTEGER&&(B===n.UNSIGNED_BYTE&&(q=n.RG8UI),B===n.UNSIGNED_SHORT&&(q=n.RG16UI),B===n.UNSIGNED_INT&&(q=n.RG32UI),B===n.BYTE&&(q=n.RG8I),B===n.SHORT&&(q=n.RG16I),B===n.INT&&(q=n.RG32I)),x===n.RGB_INTEGER&&(B===n.UNSIGNED_BYTE&&(q=n.RGB8UI),B===n.UNSIGNED_SHORT&&(q=n.RGB16UI),B===n.UNSIGNED_INT&&(q=n.RGB32UI),B===n.BYTE&&(q=n.RGB8I),B===n.SHORT&&(q=n.RGB16I),B===n.INT&&(q=n.RGB32I)),x===n.RGBA_INTEGER&&(B===n.UNSIGNED_BYTE&&(q=n.RGBA8UI),B===n.UNSIGNED_SHORT&&(q=n.RGBA16UI),B===n.UNSIGNED_INT&&(q=n.RGBA32UI),B===n.BYTE&&(q=n.RGBA8I),B===n.SHORT&&(q=n.RGBA16I),B===n.INT&&(q=n.RGBA32I)),x===n.RGB&&(B===n.UNSIGNED_SHORT&&ue&&(q=ue.RGB16_EXT),B===n.SHORT&&ue&&(q=ue.RGB16_SNORM_EXT),B===n.UNSIGNED_INT_5_9_9_9_REV&&(q=n.RGB9_E5),B===n.UNSIGNED_INT_10F_11F_11F_REV&&(q=n.R11F_G11F_B10F)),x===n.RGBA){const Y=se?xs:Ve.getTransfer(Q);B===n.FLOAT&&(q=n.RGBA32F),B===n.HALF_FLOAT&&(q=n.RGBA16F),B===n.UNSIGNED_BYTE&&(q=Y===Je?n.SRGB8_ALPHA8:n.RGBA8),B===n.UNSIGNED_SHORT&&ue&&(q=ue.RGBA16_EXT),B===n.SHORT&&ue&&(q=ue.RGBA16_SNORM_EXT),B===n.UNSIGNED_SHORT_4_4_4_4&&(q=n.RGBA4),B===n.UNSIGNED_SHORT_5_5_5_1&&(q=n.RGB5_A1)}return(q===n.R16F||q===n.R32F||q===n.RG16F||q===n.RG32F||q===n.RGBA16F||q===n.RGBA32F)&&e.get("EXT_color_buffer_float"),q}function g(T,x){let B;return T?x===null||x===yn||x===Oi?B=n.DEPTH24_STENCIL8:x===zt?B=n.DEPTH32F_STENCIL8:x===lr&&(B=n.DEPTH24_STENCIL8,Pe("DepthTexture: 16 bit depth attachment is not supported with stencil. Using 24-bit attachment.")):x===null||x===yn||x===Oi?B=n.DEPTH_COMPONENT24:x===zt?B=n.DEPTH_COMPONENT32F:x===lr&&(B=n.DEPTH_COMPONENT16),B}function E(T,x){return w(T)===!0||T.isFramebufferTexture&&T.minFilter!==gt&&T.minFilter!==Ut?Math.log2(Math.max(x.width,x.height))+1:T.mipmaps.length>0?T.mipmaps.length:T.isCompressedTexture&&Array.isArray(T.image)?x.mipmaps.length:1}function U(T){const x=new WeakRef(T);i.get(T).__ref=x,_.add(x),S.register(T,x,x)}function P(T){const x=i.get(T).__ref;x!==void 0&&(_.delete(x),S.unregister(x))}function D(T){W(T.target)}function G(T){I(T.target)}function W(T){T.removeEventListener("dispose",D),P(T),K(T),T.isVideoTexture&&u.delete(T),T.isHTMLTexture&&p.delete(T)}function I(T){T.removeEventListener("dispose",G),P(T),te(T)}function F(){for(const T of _){const x=T.deref();x!==void 0&&(x.isRenderTarget===!0?I(x):W(x))}_.clear(),p.clear()}function K(T){const x=i.get(T);if(x.__webglInit===void 0)return;const B=T.source,ne=d.get(B);if(ne){const Q=ne[x.__cacheKey];Q.usedTimes--,Q.usedTimes===0&&k(T),Object.keys(ne).length===0&&d.delete(B)}i.remove(T)}function k(T){const x=i.get(T);n.deleteTexture(x.__webglTexture);const B=T.source,ne=d.get(B);delete ne[x.__cacheKey],a.memory.textures--}function te(T){const x=i.get(T);x.__depthDisposeCallback&&x.__depthDisposeCallback();const B=T.depthTexture;if(B&&B.renderTarget===T&&W(B),T.isWebGLCubeRenderTarget)for(let Q=0;Q<6;Q++){if(Array.isArray(x.__webglFramebuffer[Q]))for(let se=0;se<x.__webglFramebuffer[Q].length;se++)n.deleteFramebuffer(x.__webglFramebuffer[Q][se]);else n.deleteFramebuffer(x.__webglFramebuffer[Q]);x.__webglDepthbuffer&&n.deleteRenderbuffer(x.__webglDepthbuffer[Q])}else{if(Array.isArray(x.__webglFramebuffer))for(let Q=0;Q<x.__webglFramebuffer.length;Q++)n.deleteFramebuffer(x.__webglFramebuffer[Q]);else n.deleteFramebuffer(x.__webglFramebuffer);if(x.__webglDepthbuffer&&n.deleteRenderbuffer(x.__webglDepthbuffer),x.__webglMultisampledFramebuffer&&n.deleteFramebuffer(x.__webglMultisampledFramebuffer),x.__webglColorRenderbuffer)for(let Q=0;Q<x.__webglColorRenderbuffer.length;Q++)x.__webglColorRenderbuffer[Q]&&n.deleteRenderbuffer(x.__webglColorRenderbuffer[Q]);x.__webglDepthRenderbuffer&&n.deleteRenderbuffer(x.__webglDepthRenderbuffer)}const ne=T.textures;for(let Q=0,se=ne.length;Q<se;Q++){const ue=i.get(ne[Q]);ue.__webglTexture&&(n.deleteTexture(ue.__webglTexture),a.memory.textures--),i.remove(ne[Q])}i.remove(T)}let X=0;function j(){X=0}function ee(){return X}function ye(T){X=T}function Ie(){const T=X;return T>=r.maxTextures&&Pe("WebGLTextures: Trying to use "+(T+1)+" texture units while this GPU supports only "+r.maxTextures),X+=1,T}function Z(T){const x=[];return x.push(T.wrapS),x.push(T.wrapT),x.push(T.wrapR||0),x.push(T.magFilter),x.push(T.minFilter),x.push(T.anisotropy),x.push(T.internalFormat),x.push(T.format),x.push(T.type),x.push(T.generateMipmaps),x.push(T.mipmapsAutoUpdate),x.push(T.premultiplyAlpha),x.push(T.flipY),x.push(T.unpackAlignment),x.push(T.colorSpace),x.join()}function me(T,x){const B=i.get(T);if(T.isVideoTexture&&vt(T),T.isRenderTargetTexture===!1&&T.isExternalTexture!==!0&&T.version>0&&B.__version!==T.version){const ne=T.image;if(ne===null)Pe("WebGLRenderer: Texture marked for update but no image data found.");else if(ne.complete===!1)Pe("WebGLRenderer: Texture marked for update but image is incomplete");else{_t(B,T,x);return}}else T.isExternalTexture&&(B.__webglTexture=T.sourceTexture?T.sourceTexture:null);t.bindTexture(n.TEXTURE_2D,B.__webglTexture,n.TEXTURE0+x)}function xe(T,x){const B=i.get(T);if(T.isRenderTargetTexture===!1&&T.version>0&&B.__version!==T.version){_t(B,T,x);return}else T.isExternalTexture&&(B.__webglTexture=T.sourceTexture?T.sourceTexture:null);t.bindTexture(n.TEXTURE_2D_ARRAY,B.__webglTexture,n.TEXTURE0+x)}function Ae(T,x){const B=i.get(T);if(T.isRenderTargetTexture===!1&&T.version>0&&B.__version!==T.version){_t(B,T,x);return}t.bindTexture(n.TEXTURE_3D,B.__webglTexture,n.TEXTURE0+x)}function ge(T,x){const B=i.get(T);if(T.version>0&&B.__version!==T.version){Ot(B,T,x);return}t.bindTexture(n.TEXTURE_CUBE_MAP,B.__webglTexture,n.TEXTURE0+x)}const Ue={[gs]:n.REPEAT,[vn]:n.CLAMP_TO_EDGE,[ka]:n.MIRRORED_REPEAT},ft={[gt]:n.NEAREST,[Bf]:n.NEAREST_MIPMAP_NEAREST,[Mr]:n.NEAREST_MIPMAP_LINEAR,[Ut]:n.LINEAR,[Ks]:n.LINEAR_MIPMAP_NEAREST,[Zn]:n.LINEAR_MIPMAP_LINEAR},Ce={[Hf]:n.NEVER,[xh]:n.ALWAYS,[Vf]:n.LESS,[_h]:n.LEQUAL,[Wf]:n.EQUAL,[vh]:n.GEQUAL,[Xf]:n.GREATER,[$f]:n.NOTEQUAL};function Ke(T,x){if(x.type===zt&&e.has("OES_texture_float_linear")===!1&&(x.magFilter===Ut||x.magFilter===Ks||x.magFilter===Mr||x.magFilter===Zn||x.minFilter===Ut||x.minFilter===Ks||x.minFilter===Mr||x.minFilter===Zn)&&Pe("WebGLRenderer: Unable to use linear filtering with floating point textures. OES_texture_float_linear not supported on this device."),n.texParameteri(T,n.TEXTURE_WRAP_S,Ue[x.wrapS]),n.texParameteri(T,n.TEXTURE_WRAP_T,Ue[x.wrapT]),(T===n.TEXTURE_3D||T===n.TEXTURE_2D_ARRAY)&&n.texParameteri(T,n.TEXTURE_WRAP_R,Ue[x.wrapR]),n.texParameteri(T,n.TEXTURE_MAG_FILTER,ft[x.magFilter]),n.texParameteri(T,n.TEXTURE_MIN_FILTER,ft[x.minFilter]),x.compareFunction&&(n.texParameteri(T,n.TEXTURE_COMPARE_MODE,n.COMPARE_REF_TO_TEXTURE),n.texParameteri(T,n.TEXTURE_COMPARE_FUNC,Ce[x.compareFunction])),e.has("EXT_texture_filter_anisotropic")===!0){if(x.magFilter===gt||x.minFilter!==Mr&&x.minFilter!==Zn||x.type===zt&&e.has("OES_texture_float_linear")===!1)return;if(x.anisotropy>1||i.get(x).__currentAnisotropy){const B=e.get("EXT_texture_filter_anisotropic");n.texParameterf(T,B.TEXTURE_MAX_ANISOTROPY_EXT,Math.min(x.anisotropy,r.getMaxAnisotropy())),i.get(x).__currentAnisotropy=x.anisotropy}}}function Qe(T,x){let B=!1;T.__webglInit===void 0&&(T.__webglInit=!0,x.addEventListener("dispose",D),U(x));const ne=x.source;let Q=d.get(ne);Q===void 0&&(Q={},d.set(ne,Q));const se=Z(x);if(se!==T.__cacheKey){Q[se]===void 0&&(Q[se]={texture:n.createTexture(),usedTimes:0},a.memory.textures++,B=!0),Q[se].usedTimes++;const ue=Q[T.__cacheKey];ue!==void 0&&(Q[T.__cacheKey].usedTimes--,ue.usedTimes===0&&k(x)),T.__cacheKey=se,T.__webglTexture=Q[se].texture}return B}function ke(T,x,B){return Math.floor(Math.floor(T/B)/x)}function Tt(T,x,B,ne){const se=T.updateRanges;if(se.length===0)t.texSubImage2D(n.TEXTURE_2D,0,0,0,x.width,x.height,B,ne,x.data);else{se.sort((C,J)=>C.start-J.start);let ue=0;for(let C=1;C<se.length;C++){const J=se[ue],$=se[C],le=J.start+J.count,re=ke($.start,x.width,4),ae=ke(J.start,x.width,4);$.start<=le+1&&re===ae&&ke($.start+$.count-1,x.width,4)===re?J.count=Math.max(J.count,$.start+$.count-J.start):(++ue,se[ue]=$)}se.length=ue+1;const q=t.getParameter(n.UNPACK_ROW_LENGTH),Y=t.getParameter(n.UNPACK_SKIP_PIXELS),oe=t.getParameter(n.UNPACK_SKIP_ROWS);t.pixelStorei(n.UNPACK_ROW_LENGTH,x.width);for(let C=0,J=se.length;C<J;C++){const $=se[C],le=Math.floor($.start/4),re=Math.ceil($.count/4),ae=le%x.width,be=Math.floor(le/x.width),Oe=re,ie=1;t.pixelStorei(n.UNPACK_SKIP_PIXELS,ae),t.pixelStorei(n.UNPACK_SKIP_ROWS,be),t.texSubImage2D(n.TEXTURE_2D,0,ae,be,Oe,ie,B,ne,x.data)}T.clearUpdateRanges(),t.pixelStorei(n.UNPACK_ROW_LENGTH,q),t.pixelStorei(n.UNPACK_SKIP_PIXELS,Y),t.pixelStorei(n.UNPACK_SKIP_ROWS,oe)}}function _t(T,x,B){let ne=n.TEXTURE_2D;(x.isDataArrayTexture||x.isCompressedArrayTexture)&&(ne=n.TEXTURE_2D_ARRAY),x.isData3DTexture&&(ne=n.TEXTURE_3D);const Q=Qe(T,x),se=x.source;t.bindTexture(ne,T.__webglTexture,n.TEXTURE0+B);const ue=i.get(se);if(se.version!==ue.__version||Q===!0){if(t.activeTexture(n.TEXTURE0+B),(typeof ImageBitmap<"u"&&x.image instanceof ImageBitmap)===!1){const ie=Ve.getPrimaries(Ve.workingColorSpace),Te=x.colorSpace===Yn?null:Ve.getPrimaries(x.colorSpace),Fe=x.colorSpace===Yn||ie===Te?n.NONE:n.BROWSER_DEFAULT_WEBGL;t.pixelStorei(n.UNPACK_FLIP_Y_WEBGL,x.flipY),t.pixelStorei(n.UNPACK_PREMULTIPLY_ALPHA_WEBGL,x.premultiplyAlpha),t.pixelStorei(n.UNPACK_COLORSPACE_CONVERSION_WEBGL,Fe)}t.pixelStorei(n.UNPACK_ALIGNMENT,x.unpackAlignment);let Y=v(x.image,!1,r.maxTextureSize);Y=Re(x,Y);const oe=s.convert(x.format,x.colorSpace),C=s.convert(x.type);let J=R(x.internalFormat,oe,C,x.normalized,x.colorSpace,x.isVideoTexture);Ke(ne,x);let $;const le=x.mipmaps,re=x.isVideoTexture!==!0,ae=ue.__version===void 0||Q===!0,be=se.dataReady,Oe=E(x,Y);if(x.isDepthTexture)J=g(x.format===Jn,x.type),ae&&(re?t.texStorage2D(n.TEXTURE_2D,1,J,Y.width,Y.height):t.texImage2D(n.TEXTURE_2D,0,J,Y.width,Y.height,0,oe,C,null));else if(x.isDataTexture)if(le.length>0){re&&ae&&t.texStorage2D(n.TEXTURE_2D,Oe,J,le[0].width,le[0].height);for(let ie=0,Te=le.length;ie<Te;ie++)$=le[ie],re?be&&t.texSubImage2D(n.TEXTURE_2D,ie,0,0,$.width,$.height,oe,C,$.data):t.texImage2D(n.TEXTURE_2D,ie,J,$.width,$.height,0,oe,C,$.data);x.generateMipmaps=!1}else re?(ae&&t.texStorage2D(n.TEXTURE_2D,Oe,J,Y.width,Y.height),be&&Tt(x,Y,oe,C)):t.texImage2D(n.TEXTURE_2D,0,J,Y.width,Y.height,0,oe,C,Y.data);else if(x.isCompressedTexture)if(x.isCompressedArrayTexture){re&&ae&&t.texStorage3D(n.TEXTURE_2D_ARRAY,Oe,J,le[0].width,le[0].height,Y.depth);for(let ie=0,Te=le.length;ie<Te;ie++)if($=le[ie],x.format!==cn)if(oe!==null)if(re){if(be)if(x.layerUpdates.size>0){const Fe=xc($.width,$.height,x.format,x.type);for(const fe of x.layerUpdates){const Ze=$.data.subarray(fe*Fe/$.data.BYTES_PER_ELEMENT,(fe+1)*Fe/$.data.BYTES_PER_ELEMENT);t.compressedTexSubImage3D(n.TEXTURE_2D_ARRAY,ie,0,0,fe,$.width,$.height,1,oe,Ze)}}else t.compressedTexSubImage3D(n.TEXTURE_2D_ARRAY,ie,0,0,0,$.width,$.height,Y.depth,oe,$.data)}else t.compressedTexImage3D(n.TEXTURE_2D_ARRAY,ie,J,$.width,$.height,Y.depth,0,$.data,0,0);else Pe("WebGLRenderer: Attempt to load unsupported compressed texture format in .uploadTexture()");else re?be&&t.texSubImage3D(n.TEXTURE_2D_ARRAY,ie,0,0,0,$.width,$.height,Y.depth,oe,C,$.data):t.texImage3D(n.TEXTURE_2D_ARRAY,ie,J,$.width,$.height,Y.depth,0,oe,C,$.data);x.layerUpdates.size>0&&x.clearLayerUpdates()}else{re&&ae&&t.texStorage2D(n.TEXTURE_2D,Oe,J,le[0].width,le[0].height);for(let ie=0,Te=le.length;ie<Te;ie++)$=le[ie],x.format!==cn?oe!==null?re?be&&t.compressedTexSubImage2D(n.TEXTURE_2D,ie,0,0,$.width,$.height,oe,$.data):t.compressedTexImage2D(n.TEXTURE_2D,ie,J,$.width,$.height,0,$.data):Pe("WebGLRenderer: Attempt to load unsupported compressed texture format in .uploadTexture()"):re?be&&t.texSubImage2D(n.TEXTURE_2D,ie,0,0,$.width,$.height,oe,C,$.data):t.texImage2D(n.TEXTURE_2D,ie,J,$.width,$.height,0,oe,C,$.data)}else if(x.isDataArrayTexture)if(re){if(ae&&t.texStorage3D(n.TEXTURE_2D_ARRAY,Oe,J,Y.width,Y.height,Y.depth),be)if(x.layerUpdates.size>0){const ie=xc(Y.width,Y.height,x.format,x.type);for(const Te of x.layerUpdates){const Fe=Y.data.subarray(Te*ie/Y.data.BYTES_PER_ELEMENT,(Te+1)*ie/Y.data.BYTES_PER_ELEMENT);t.texSubImage3D(n.TEXTURE_2D_ARRAY,0,0,0,Te,Y.width,Y.height,1,oe,C,Fe)}x.clearLayerUpdates()}else t.texSubImage3D(n.TEXTURE_2D_ARRAY,0,0,0,0,Y.width,Y.height,Y.depth,oe,C,Y.data)}else t.texImage3D(n.TEXTURE_2D_ARRAY,0,J,Y.width,Y.height,Y.depth,0,oe,C,Y.data);else if(x.isData3DTexture)re?(ae&&t.texStorage3D(n.TEXTURE_3D,Oe,J,Y.width,Y.height,Y.depth),be&&t.texSubImage3D(n.TEXTURE_3D,0,0,0,0,Y.width,Y.height,Y.depth,oe,C,Y.data)):t.texImage3D(n.TEXTURE_3D,0,J,Y.width,Y.height,Y.depth,0,oe,C,Y.data);else if(x.isFramebufferTexture){if(ae)if(re)t.texStorage2D(n.TEXTURE_2D,Oe,J,Y.width,Y.height);else{let ie=Y.width,Te=Y.height;for(let Fe=0;Fe<Oe;Fe++)t.texImage2D(n.TEXTURE_2D,Fe,J,ie,Te,0,oe,C,null),ie>>=1,Te>>=1}}else if(x.isHTMLTexture){if("texElementImage2D"in n){const ie=n.canvas;if(ie.hasAttribute("layoutsubtree")||ie.setAttribute("layoutsubtree","true"),Y.parentNode!==ie){ie.appendChild(Y),p.add(x),ie.onpaint=Te=>{const Fe=Te.changedElements;for(const fe of p)Fe.includes(fe.image)&&(fe.needsUpdate=!0)},ie.requestPaint();return}if(n.texElementImage2D.length===3)n.texElementImage2D(n.TEXTURE_2D,n.RGBA8,Y);else{const Fe=n.RGBA,fe=n.RGBA,Ze=n.UNSIGNED_BYTE;n.texElementImage2D(n.TEXTURE_2D,0,Fe,fe,Ze,Y)}n.texParameteri(n.TEXTURE_2D,n.TEXTURE_MIN_FILTER,n.LINEAR),n.texParameteri(n.TEXTURE_2D,n.TEXTURE_WRAP_S,n.CLAMP_TO_EDGE),n.texParameteri(n.TEXTURE_2D,n.TEXTURE_WRAP_T,n.CLAMP_TO_EDGE)}}else if(le.length>0){if(re&&ae){const ie=Le(le[0]);t.texStorage2D(n.TEXTURE_2D,Oe,J,ie.width,ie.height)}for(let ie=0,Te=le.length;ie<Te;ie++)$=le[ie],re?be&&t.texSubImage2D(n.TEXTURE_2D,ie,0,0,oe,C,$):t.texImage2D(n.TEXTURE_2D,ie,J,oe,C,$);x.generateMipmaps=!1}else if(re){if(ae){const ie=Le(Y);t.texStorage2D(n.TEXTURE_2D,Oe,J,ie.width,ie.height)}be&&t.texSubImage2D(n.TEXTURE_2D,0,0,0,oe,C,Y)}else t.texImage2D(n.TEXTURE_2D,0,J,oe,C,Y);w(x)&&x.mipmapsAutoUpdate===!0&&y(ne),ue.__version=se.version,x.onUpdate&&x.onUpdate(x)}T.__version=x.version}function Ot(T,x,B){if(x.image.length!==6)return;const ne=Qe(T,x),Q=x.source;t.bindTexture(n.TEXTURE_CUBE_MAP,T.__webglTexture,n.TEXTURE0+B);const se=i.get(Q);if(Q.version!==se.__version||ne===!0){t.activeTexture(n.TEXTURE0+B);const ue=Ve.getPrimaries(Ve.workingColorSpace),q=x.colorSpace===Yn?null:Ve.getPrimaries(x.colorSpace),Y=x.colorSpace===Yn||ue===q?n.NONE:n.BROWSER_DEFAULT_WEBGL;t.pixelStorei(n.UNPACK_FLIP_Y_WEBGL,x.flipY),t.pixelStorei(n.UNPACK_PREMULTIPLY_ALPHA_WEBGL,x.premultiplyAlpha),t.pixelStorei(n.UNPACK_ALIGNMENT,x.unpackAlignment),t.pixelStorei(n.UNPACK_COLORSPACE_CONVERSION_WEBGL,Y);const oe=x.isCompressedTexture||x.image[0].isCompressedTexture,C=x.image[0]&&x.image[0].isDataTexture,J=[];for(let fe=0;fe<6;fe++)!oe&&!C?J[fe]=v(x.image[fe],!0,r.maxCubemapSize):J[fe]=C?x.image[fe].image:x.image[fe],J[fe]=Re(x,J[fe]);const $=J[0],le=s.convert(x.format,x.colorSpace),re=s.convert(x.type);let ae=R(x.internalFormat,le,re,x.normalized,x.colorSpace);const be=x.isVideoTexture!==!0,Oe=se.__version===void 0||ne===!0,ie=Q.dataReady;let Te=E(x,$);Ke(n.TEXTURE_CUBE_MAP,x);let Fe;if(x.isDepthTexture){if(ae=g(x.format===Jn,x.type),Oe)if(be)t.texStorage2D(n.TEXTURE_CUBE_MAP,1,ae,$.width,$.height);else for(let fe=0;fe<6;fe++)t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+fe,0,ae,$.width,$.height,0,le,re,null)}else if(oe){be&&Oe&&t.texStorage2D(n.TEXTURE_CUBE_MAP,Te,ae,$.width,$.height);for(let fe=0;fe<6;fe++){Fe=J[fe].mipmaps;for(let Ze=0;Ze<Fe.length;Ze++){const yt=Fe[Ze];x.format!==cn?le!==null?be?ie&&t.compressedTexSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+fe,Ze,0,0,yt.width,yt.height,le,yt.data):t.compressedTexImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+fe,Ze,ae,yt.width,yt.height,0,yt.data):Pe("WebGLRenderer: Attempt to load unsupported compressed texture format in .setTextureCube()"):be?ie&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+fe,Ze,0,0,yt.width,yt.height,le,re,yt.data):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+fe,Ze,ae,yt.width,yt.height,0,le,re,yt.data)}}}else{if(Fe=x.mipmaps,be&&Oe){Fe.length>0&&Te++;const fe=Le(J[0]);t.texStorage2D(n.TEXTURE_CUBE_MAP,Te,ae,fe.width,fe.height)}for(let fe=0;fe<6;fe++)if(C){be?ie&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+fe,0,0,0,J[fe].width,J[fe].height,le,re,J[fe].data):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+fe,0,ae,J[fe].width,J[fe].height,0,le,re,J[fe].data);for(let Ze=0;Ze<Fe.length;Ze++){const Bn=Fe[Ze].image[fe].image;be?ie&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+fe,Ze+1,0,0,Bn.width,Bn.height,le,re,Bn.data):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+fe,Ze+1,ae,Bn.width,Bn.height,0,le,re,Bn.data)}}else{be?ie&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+fe,0,0,0,le,re,J[fe]):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+fe,0,ae,le,re,J[fe]);for(let Ze=0;Ze<Fe.length;Ze++){const yt=Fe[Ze];be?ie&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+fe,Ze+1,0,0,le,re,yt.image[fe]):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+fe,Ze+1,ae,le,re,yt.image[fe])}}}w(x)&&x.mipmapsAutoUpdate===!0&&y(n.TEXTURE_CUBE_MAP),se.__version=Q.version,x.onUpdate&&x.onUpdate(x)}T.__version=x.version}function at(T,x,B,ne,Q,se){const ue=s.convert(B.format,B.colorSpace),q=s.convert(B.type),Y=R(B.internalFormat,ue,q,B.normalized,B.colorSpace),oe=i.get(x),C=i.get(B);if(C.__renderTarget=x,!oe.__hasExternalTextures){const J=Math.max(1,x.width>>se),$=Math.max(1,x.height>>se);Q===n.TEXTURE_3D||Q===n.TEXTURE_2D_ARRAY?t.texImage3D(Q,se,Y,J,$,x.depth,0,ue,q,null):t.texImage2D(Q,se,Y,J,$,0,ue,q,null)}t.bindFramebuffer(n.FRAMEBUFFER,T),de(x)?o.framebufferTexture2DMultisampleEXT(n.FRAMEBUFFER,ne,Q,C.__webglTexture,0,st(x)):(Q===n.TEXTURE_2D||Q>=n.TEXTURE_CUBE_MAP_POSITIVE_X&&Q<=n.TEXTURE_CUBE_MAP_NEGATIVE_Z)&&n.framebufferTexture2D(n.FRAMEBUFFER,ne,Q,C.__webglTexture,se),t.bindFramebuffer(n.FRAMEBUFFER,null)}function dn(T,x,B){if(n.bindRenderbuffer(n.RENDERBUFFER,T),x.depthBuffer){const ne=x.depthTexture,Q=ne&&ne.isDepthTexture?ne.type:null,se=g(x.stencilBuffer,Q),ue=x.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT;de(x)?o.renderbufferStorageMultisampleEXT(n.RENDERBUFFER,st(x),se,x.width,x.height):B?n.renderbufferStorageMultisample(n.RENDERBUFFER,st(x),se,x.width,x.height):n.renderbufferStorage(n.RENDERBUFFER,se,x.width,x.height),n.framebufferRenderbuffer(n.FRAMEBUFFER,ue,n.RENDERBUFFER,T)}else{const ne=x.textures;for(let Q=0;Q<ne.length;Q++){const se=ne[Q],ue=s.convert(se.format,se.colorSpace),q=s.convert(se.type),Y=R(se.internalFormat,ue,q,se.normalized,se.colorSpace);de(x)?o.renderbufferStorageMultisampleEXT(n.RENDERBUFFER,st(x),Y,x.width,x.height):B?n.renderbufferStorageMultisample(n.RENDERBUFFER,st(x),Y,x.width,x.height):n.renderbufferStorage(n.RENDERBUFFER,Y,x.width,x.height)}}n.bindRenderbuffer(n.RENDERBUFFER,null)}function Mt(T,x,B){const ne=x.isWebGLCubeRenderTarget===!0;if(t.bindFramebuffer(n.FRAMEBUFFER,T),!(x.depthTexture&&x.depthTexture.isDepthTexture))throw new Error("THREE.WebGLTextures: renderTarget.depthTexture must be an instance of THREE.DepthTexture.");const Q=i.get(x.depthTexture);Q.__renderTarget=x;const se=ne?x.depthTexture.image[0]:x.depthTexture.image;(!Q.__webglTexture||se.width!==x.width||se.height!==x.height)&&(se.width=x.width,se.height=x.height,x.depthTexture.needsUpdate=!0),ne?ge(x.depthTexture,0):me(x.depthTexture,0);const ue=Q.__webglTexture,q=st(x),Y=ne?n.TEXTURE_CUBE_MAP_POSITIVE_X+B:n.TEXTURE_2D,oe=x.depthTexture.format===Jn?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT;if(x.depthTexture.format===jn)de(x)?o.framebufferTexture2DMultisampleEXT(n.FRAMEBUFFER,oe,Y,ue,0,q):n.framebufferTexture2D(n.FRAMEBUFFER,oe,Y,ue,0);else if(x.depthTexture.format===Jn)de(x)?o.framebufferTexture2DMultisampleEXT(n.FRAMEBUFFER,oe,Y,ue,0,q):n.framebufferTexture2D(n.FRAMEBUFFER,oe,Y,ue,0);else throw new Error("THREE.WebGLTextures: Unknown depthTexture format.")}function Yt(T){const x=i.get(T),B=T.isWebGLCubeRenderTarget===!0;if(x.__boundDepthTexture!==T.depthTexture){const ne=T.depthTexture;if(x.__depthDisposeCallback&&x.__depthDisposeCallback(),ne){const Q=()=>{delete x.__boundDepthTexture,delete x.__depthDisposeCallback,ne.removeEventListener("dispose",Q)};ne.addEventListener("dispose",Q),x.__depthDisposeCallback=Q}x.__boundDepthTexture=ne}if(T.depthTexture&&!x.__autoAllocateDepthBuffer)if(B)for(let ne=0;ne<6;ne++)Mt(x.__webglFramebuffer[ne],T,ne);else T.texture.mipmaps.length>0?Mt(x.__webglFramebuffer[0],T,0):Mt(x.__webglFramebuffer,T,0);else if(B){x.__webglDepthbuffer=[];for(let ne=0;ne<6;ne++)if(t.bindFramebuffer(n.FRAMEBUFFER,x.__webglFramebuffer[ne]),x.__webglDepthbuffer[ne]===void 0)x.__webglDepthbuffer[ne]=n.createRenderbuffer(),dn(x.__webglDepthbuffer[ne],T,!1);else{const Q=T.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT,se=x.__webglDepthbuffer[ne];n.bindRenderbuffer(n.RENDERBUFFER,se),n.framebufferRenderbuffer(n.FRAMEBUFFER,Q,n.RENDERBUFFER,se)}}else if(T.texture.mipmaps.length>0?t.bindFramebuffer(n.FRAMEBUFFER,x.__webglFramebuffer[0]):t.bindFramebuffer(n.FRAMEBUFFER,x.__webglFramebuffer),x.__webglDepthbuffer===void 0)x.__webglDepthbuffer=n.createRenderbuffer(),dn(x.__webglDepthbuffer,T,!1);else{const Q=T.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT,se=x.__webglDepthbuffer;n.bindRenderbuffer(n.RENDERBUFFER,se),n.framebufferRenderbuffer(n.FRAMEBUFFER,Q,n.RENDERBUFFER,se)}t.bindFramebuffer(n.FRAMEBUFFER,null)}function Kt(T,x,B){const ne=i.get(T);x!==void 0&&at(ne.__webglFramebuffer,T,T.texture,n.COLOR_ATTACHMENT0,n.TEXTURE_2D,0),B!==void 0&&Yt(T)}function Zt(T){const x=T.texture,B=i.get(T),ne=i.get(x);T.addEventListener("dispose",G),U(T);const Q=T.textures,se=T.isWebGLCubeRenderTarget===!0,ue=Q.length>1;if(ue||(ne.__webglTexture===void 0&&(ne.__webglTexture=n.createTexture()),ne.__version=x.version,a.memory.textures++),se){B.__webglFramebuffer=[];for(let q=0;q<6;q++)if(x.mipmaps.length>0){B.__webglFramebuffer[q]=[];for(let Y=0;Y<x.mipmaps.length;Y++)B.__webglFramebuffer[q][Y]=n.createFramebuffer()}else B.__webglFramebuffer[q]=n.createFramebuffer()}else{if(x.mipmaps.length>0){B.__webglFramebuffer=[];for(let q=0;q<x.mipmaps.length;q++)B.__webglFramebuffer[q]=n.createFramebuffer()}else B.__webglFramebuffer=n.createFramebuffer();if(ue)for(let q=0,Y=Q.length;q<Y;q++){const oe=i.get(Q[q]);oe.__webglTexture===void 0&&(oe.__webglTexture=n.createTexture(),a.memory.textures++)}if(T.samples>0&&de(T)===!1){B.__webglMultisampledFramebuffer=n.createFramebuffer(),B.__webglColorRenderbuffer=[],t.bindFramebuffer(n.FRAMEBUFFER,B.__webglMultisampledFramebuffer);for(let q=0;q<Q.length;q++){const Y=Q[q];B.__webglColorRenderbuffer[q]=n.createRenderbuffer(),n.bindRenderbuffer(n.RENDERBUFFER,B.__webglColorRenderbuffer[q]);const oe=s.convert(Y.format,Y.colorSpace),C=s.convert(Y.type),J=R(Y.internalFormat,oe,C,Y.normalized,Y.colorSpace,T.isXRRenderTarget===!0),$=st(T);n.renderbufferStorageMultisample(n.RENDERBUFFER,$,J,T.width,T.height),n.framebufferRenderbuffer(n.FRAMEBUFFER,n.COLOR_ATTACHMENT0+q,n.RENDERBUFFER,B.__webglColorRenderbuffer[q])}n.bindRenderbuffer(n.RENDERBUFFER,null),T.depthBuffer&&(B.__webglDepthRenderbuffer=n.createRenderbuffer(),dn(B.__webglDepthRenderbuffer,T,!0)),t.bindFramebuffer(n.FRAMEBUFFER,null)}}if(se){t.bindTexture(n.TEXTURE_CUBE_MAP,ne.__webglTexture),Ke(n.TEXTURE_CUBE_MAP,x);for(let q=0;q<6;q++)if(x.mipmaps.length>0)for(let Y=0;Y<x.mipmaps.length;Y++)at(B.__webglFramebuffer[q][Y],T,x,n.COLOR_ATTACHMENT0,n.TEXTURE_CUBE_MAP_POSITIVE_X+q,Y);else at(B.__webglFramebuffer[q],T,x,n.COLOR_ATTACHMENT0,n.TEXTURE_CUBE_MAP_POSITIVE_X+q,0);w(x)?y(n.TEXTURE_CUBE_MAP):x.mipmaps.length>0&&n.texParameteri(n.TEXTURE_CUBE_MAP,n.TEXTURE_MAX_LEVEL,x.mipmaps.length-1),t.unbindTexture()}else if(ue){for(let q=0,Y=Q.length;q<Y;q++){const oe=Q[q],C=i.get(oe);let J=n.TEXTURE_2D;(T.isWebGL3DRenderTarget||T.isWebGLArrayRenderTarget)&&(J=T.isWebGL3DRenderTarget?n.TEXTURE_3D:n.TEXTURE_2D_ARRAY),t.bindTexture(J,C.__webglTexture),Ke(J,oe),at(B.__webglFramebuffer,T,oe,n.COLOR_ATTACHMENT0+q,J,0),w(oe)&&y(J)}t.unbindTexture()}else{let q=n.TEXTURE_2D;if((T.isWebGL3DRenderTarget||T.isWebGLArrayRenderTarget)&&(q=T.isWebGL3DRenderTarget?n.TEXTURE_3D:n.TEXTURE_2D_ARRAY),t.bindTexture(q,ne.__webglTexture),Ke(q,x),x.mipmaps.length>0)for(let Y=0;Y<x.mipmaps.length;Y++)at(B.__webglFramebuffer[Y],T,x,n.COLOR_ATTACHMENT0,q,Y);else at(B.__webglFramebuffer,T,x,n.COLOR_ATTACHMENT0,q,0);w(x)?y(q):x.mipmaps.length>0&&n.texParameteri(q,n.TEXTURE_MAX_LEVEL,x.mipmaps.length-1),t.unbindTexture()}T.depthBuffer&&Yt(T)}function N(T){const x=T.textures;for(let B=0,ne=x.length;B<ne;B++){const Q=x[B];if(w(Q)&&Q.mipmapsAutoUpdate===!0){const se=A(T),ue=i.get(Q).__webglTexture;t.bindTexture(se,ue),y(se),t.unbindTexture()}}}const Jt=[];function rt(T){if(T.samples>0){if(de(T)===!1){const x=T.textures,B=T.width,ne=T.height;let Q=n.COLOR_BUFFER_BIT;const se=T.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT,ue=i.get(T),q=x.length>1;if(q)for(let oe=0;oe<x.length;oe++)t.bindFramebuffer(n.FRAMEBUFFER,ue.__webglMultisampledFramebuffer),n.framebufferRenderbuffer(n.FRAMEBUFFER,n.COLOR_ATTACHMENT0+oe,n.RENDERBUFFER,null),t.bindFramebuffer(n.FRAMEBUFFER,ue.__webglFramebuffer),n.framebufferTexture2D(n.DRAW_FRAMEBUFFER,n.COLOR_ATTACHMENT0+oe,n.TEXTURE_2D,null,0);t.bindFramebuffer(n.READ_FRAMEBUFFER,ue.__webglMultisampledFramebuffer),T.texture.mipmaps.length>0?t.bindFramebuffer(n.DRAW_FRAMEBUFFER,ue.__webglFramebuffer[0]):t.bindFramebuffer(n.DRAW_FRAMEBUFFER,ue.__webglFramebuffer);for(let oe=0;oe<x.length;oe++){if(T.resolveDepthBuffer&&(T.depthBuffer&&(Q|=n.DEPTH_BUFFER_BIT),T.stencilBuffer&&T.resolveStencilBuffer&&(Q|=n.STENCIL_BUFFER_BIT)),q){n.framebufferRenderbuffer(n.READ_FRAMEBUFFER,n.COLOR_ATTACHMENT0,n.RENDERBUFFER,ue.__webglColorRenderbuffer[oe]);const C=i.get(x[oe]).__webglTexture;n.framebufferTexture2D(n.DRAW_FRAMEBUFFER,n.COLOR_ATTACHMENT0,n.TEXTURE_2D,C,0)}n.blitFramebuffer(0,0,B,ne,0,0,B,ne,Q,n.NEAREST),l===!0&&(Jt.length=0,Jt.push(n.COLOR_ATTACHMENT0+oe),T.depthBuffer&&T.storeMultisampledDepthBuffer===!1&&Jt.push(se),n.invalidateFramebuffer(n.READ_FRAMEBUFFER,Jt))}if(t.bindFramebuffer(n.READ_FRAMEBUFFER,null),t.bindFramebuffer(n.DRAW_FRAMEBUFFER,null),q)for(let oe=0;oe<x.length;oe++){t.bindFramebuffer(n.FRAMEBUFFER,ue.__webglMultisampledFramebuffer),n.framebufferRenderbuffer(n.FRAMEBUFFER,n.COLOR_ATTACHMENT0+oe,n.RENDERBUFFER,ue.__webglColorRenderbuffer[oe]);const C=i.get(x[oe]).__webglTexture;t.bindFramebuffer(n.FRAMEBUFFER,ue.__webglFramebuffer),n.framebufferTexture2D(n.DRAW_FRAMEBUFFER,n.COLOR_ATTACHMENT0+oe,n.TEXTURE_2D,C,0)}t.bindFramebuffer(n.DRAW_FRAMEBUFFER,ue.__webglMultisampledFramebuffer)}else if(T.depthBuffer&&T.storeMultisampledDepthBuffer===!1&&l){const x=T.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT;n.invalidateFramebuffer(n.DRAW_FRAMEBUFFER,[x])}}}function st(T){return Math.min(r.maxSamples,T.samples)}function de(T){const x=i.get(T);return T.samples>0&&e.has("WEBGL_multisampled_render_to_texture")===!0&&x.__useRenderToTexture!==!1}function vt(T){const x=a.render.frame;u.get(T)!==x&&(u.set(T,x),T.update())}function Re(T,x){const B=T.colorSpace,ne=T.format,Q=T.type;return T.isCompressedTexture===!0||T.isVideoTexture===!0||B!==cr&&B!==Yn&&(Ve.getTransfer(B)===Je?(ne!==cn||Q!==en)&&Pe("WebGLTextures: sRGB encoded textures have to use RGBAFormat and UnsignedByteType."):qe("WebGLTextures: Unsupported texture color space:",B)),x}function Le(T){return typeof HTMLImageElement<"u"&&T instanceof HTMLImageElement?(c.width=T.naturalWidth||T.width,c.height=T.naturalHeight||T.height):typeof VideoFrame<"u"&&T instanceof VideoFrame?(c.width=T.displayWidth,c.height=T.displayHeight):(c.width=T.width,c.height=T.height),c}this.allocateTextureUnit=Ie,this.resetTextureUnits=j,this.getTextureUnits=ee,this.setTextureUnits=ye,this.setTexture2D=me,this.setTexture2DArray=xe,this.setTexture3D=Ae,this.setTextureCube=ge,this.rebindTextures=Kt,this.setupRenderTarget=Zt,this.updateRenderTargetMipmap=N,this.updateMultisampleRenderTarget=rt,this.setupDepthRenderbuffer=Yt,this.setupFrameBufferTexture=at,this.useMultisampledRTT=de,this.dispose=F}function Sv(n,e){function t(i,r=Yn){let s;const a=Ve.getTransfer(r);if(i===en)return n.UNSIGNED_BYTE;if(i===Zo)return n.UNSIGNED_SHORT_4_4_4_4;if(i===Jo)return n.UNSIGNED_SHORT_5_5_5_1;if(i===fh)return n.UNSIGNED_INT_5_9_9_9_REV;if(i===ph)return n.UNSIGNED_INT_10F_11F_11F_REV;if(i===hh)return n.BYTE;if(i===dh)return n.SHORT;if(i===lr)return n.UNSIGNED_SHORT;if(i===Ko)return n.INT;if(i===yn)return n.UNSIGNED_INT;if(i===zt)return n.FLOAT;if(i===qt)return n.HALF_FLOAT;if(i===mh)return n.ALPHA;if(i===gh)return n.RGB;if(i===cn)return n.RGBA;if(i===jn)return n.DEPTH_COMPONENT;if(i===Jn)return n.DEPTH_STENCIL;if(i===Qo)return n.RED;if(i===jo)return n.RED_INTEGER;if(i===gi)return n.RG;if(i===el)return n.RG_INTEGER;if(i===tl)return n.RGBA_INTEGER;if(i===es||i===ts||i===ns||i===is)if(a===Je)if(s=e.get("WEBGL_compressed_texture_s3tc_srgb"),s!==null){if(i===es)return s.COMPRESSED_SRGB_S3TC_DXT1_EXT;if(i===ts)return s.COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT;if(i===ns)return s.COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT;if(i===is)return s.COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT}else return null;else if(s=e.get("WEBGL_compressed_texture_s3tc"),s!==null){if(i===es)return s.COMPRESSED_RGB_S3TC_DXT1_EXT;if(i===ts)return s.COMPRESSED_RGBA_S3TC_DXT1_EXT;if(i===ns)return s.COMPRESSED_RGBA_S3TC_DXT3_EXT;if(i===is)return s.COMPRESSED_RGBA_S3TC_DXT5_EXT}else return null;if(i===za||i===Ga||i===Ha||i===Va)if(s=e.get("WEBGL_compressed_texture_pvrtc"),s!==null){if(i===za)return s.COMPRESSED_RGB_PVRTC_4BPPV1_IMG;if(i===Ga)return s.COMPRESSED_RGB_PVRTC_2BPPV1_IMG;if(i===Ha)return s.COMPRESSED_RGBA_PVRTC_4BPPV1_IMG;if(i===Va)return s.COMPRESSED_RGBA_PVRTC_2BPPV1_IMG}else return null;if(i===Wa||i===Xa||i===$a||i===qa||i===Ya||i===_s||i===Ka)if(s=e.get("WEBGL_compressed_texture_etc"),s!==null){if(i===Wa||i===Xa)return a===Je?s.COMPRESSED_SRGB8_ETC2:s.COMPRESSED_RGB8_ETC2;if(i===$a)return a===Je?s.COMPRESSED_SRGB8_ALPHA8_ETC2_EAC:s.COMPRESSED_RGBA8_ETC2_EAC;if(i===qa)return s.COMPRESSED_R11_EAC;if(i===Ya)return s.COMPRESSED_SIGNED_R11_EAC;if(i===_s)return s.COMPRESSED_RG11_EAC;if(i===Ka)return s.COMPRESSED_SIGNED_RG11_EAC}else return null;if(i===Za||i===Ja||i===Qa||i===ja||i===eo||i===to||i===no||i===io||i===ro||i===so||i===ao||i===oo||i===lo||i===co)if(s=e.get("WEBGL_compressed_texture_astc"),s!==null){if(i===Za)return a===Je?s.COMPRESSED_SRGB8_ALPHA8_ASTC_4x4_KHR:s.COMPRESSED_RGBA_ASTC_4x4_KHR;if(i===Ja)return a===Je?s.COMPRESSED_SRGB8_ALPHA8_ASTC_5x4_KHR:s.COMPRESSED_RGBA_ASTC_5x4_KHR;if(i===Qa)return a===Je?s.COMPRESSED_SRGB8_ALPHA8_ASTC_5x5_KHR:s.COMPRESSED_RGBA_ASTC_5x5_KHR;if(i===ja)return a===Je?s.COMPRESSED_SRGB8_ALPHA8_ASTC_6x5_KHR:s.COMPRESSED_RGBA_ASTC_6x5_KHR;if(i===eo)return a===Je?s.COMPRESSED_SRGB8_ALPHA8_ASTC_6x6_KHR:s.COMPRESSED_RGBA_ASTC_6x6_KHR;if(i===to)return a===Je?s.COMPRESSED_SRGB8_ALPHA8_ASTC_8x5_KHR:s.COMPRESSED_RGBA_ASTC_8x5_KHR;if(i===no)return a===Je?s.COMPRESSED_SRGB8_ALPHA8_ASTC_8x6_KHR:s.COMPRESSED_RGBA_ASTC_8x6_KHR;if(i===io)return a===Je?s.COMPRESSED_SRGB8_ALPHA8_ASTC_8x8_KHR:s.COMPRESSED_RGBA_ASTC_8x8_KHR;if(i===ro)return a===Je?s.COMPRESSED_SRGB8_ALPHA8_ASTC_10x5_KHR:s.COMPRESSED_RGBA_ASTC_10x5_KHR;if(i===so)return a===Je?s.COMPRESSED_SRGB8_ALPHA8_ASTC_10x6_KHR:s.COMPRESSED_RGBA_ASTC_10x6_KHR;if(i===ao)return a===Je?s.COMPRESSED_SRGB8_ALPHA8_ASTC_10x8_KHR:s.COMPRESSED_RGBA_ASTC_10x8_KHR;if(i===oo)return a===Je?s.COMPRESSED_SRGB8_ALPHA8_ASTC_10x10_KHR:s.COMPRESSED_RGBA_ASTC_10x10_KHR;if(i===lo)return a===Je?s.COMPRESSED_SRGB8_ALPHA8_ASTC_12x10_KHR:s.COMPRESSED_RGBA_ASTC_12x10_KHR;if(i===co)return a===Je?s.COMPRESSED_SRGB8_ALPHA8_ASTC_12x12_KHR:s.COMPRESSED_RGBA_ASTC_12x12_KHR}else return null;if(i===uo||i===ho||i===fo)if(s=e.get("EXT_texture_compression_bptc"),s!==null){if(i===uo)return a===Je?s.COMPRESSED_SRGB_ALPHA_BPTC_UNORM_EXT:s.COMPRESSED_RGBA_BPTC_UNORM_EXT;if(i===ho)return s.COMPRESSED_RGB_BPTC_SIGNED_FLOAT_EXT;if(i===fo)return s.COMPRESSED_RGB_BPTC_UNSIGNED_FLOAT_EXT}else return null;if(i===po||i===mo||i===vs||i===go)if(s=e.get("EXT_texture_compression_rgtc"),s!==null){if(i===po)return s.COMPRESSED_RED_RGTC1_EXT;if(i===mo)return s.COMPRESSED_SIGNED_RED_RGTC1_EXT;if(i===vs)return s.COMPRESSED_RED_GREEN_RGTC2_EXT;if(i===go)return s.COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT}else return null;return i===Oi?n.UNSIGNED_INT_24_8:n[i]!==void 0?n[i]:null}return{convert:t}}const Mv=`
+void main() {
+
+	gl_Position = vec4( position, 1.0 );
+
+}`,yv=`
+uniform sampler2DArray depthColor;
+uniform float depthWidth;
+uniform float depthHeight;
+
+void main() {
+
+	vec2 coord = vec2( gl_FragCoord.x / depthWidth, gl_FragCoord.y / depthHeight );
+
+	if ( coord.x >= 1.0 ) {
+
+		gl_FragDepth = texture( depthColor, vec3( coord.x - 1.0, coord.y, 1 ) ).r;
+
+	} else {
+
+		gl_FragDepth = texture( depthColor, vec3( coord.x, coord.y, 0 ) ).r;
+
+	}
+
+}`;class Ev{constructor(){this.texture=null,this.mesh=null,this.depthNear=0,this.depthFar=0}init(e,t){if(this.texture===null){const i=new Rh(e.texture);(e.depthNear!==t.depthNear||e.depthFar!==t.depthFar)&&(this.depthNear=e.depthNear,this.depthFar=e.depthFar),this.texture=i}}getMesh(e){if(this.texture!==null&&this.mesh===null){const t=e.cameras[0].viewport,i=new vi({vertexShader:Mv,fragmentShader:yv,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});this.mesh=new ei(new Us(20,20),i)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}}class bv extends xi{constructor(e,t){super();const i=this;let r=null,s=1,a=null,o="local-floor",l=1,c=null,u=null,p=null,h=null,d=null,_=null;const S=typeof XRWebGLBinding<"u",m=new Ev,f={},v=t.getContextAttributes();let w=null,y=null;const A=[],R=[],g=new Xe;let E=null,U=null;const P=new mn;P.viewport=new lt;const D=new mn;D.viewport=new lt;const G=[P,D],W=new Fp;let I=null,F=null;this.cameraAutoUpdate=!0,this.enabled=!1,this.isPresenting=!1,this.getController=function(Z){let me=A[Z];return me===void 0&&(me=new ra,A[Z]=me),me.getTargetRaySpace()},this.getControllerGrip=function(Z){let me=A[Z];return me===void 0&&(me=new ra,A[Z]=me),me.getGripSpace()},this.getHand=function(Z){let me=A[Z];return me===void 0&&(me=new ra,A[Z]=me),me.getHandSpace()};function K(Z){const me=R.indexOf(Z.inputSource);if(me===-1)return;const xe=A[me];xe!==void 0&&(xe.update(Z.inputSource,Z.frame,c||a),xe.dispatchEvent({type:Z.type,data:Z.inputSource}))}function k(){r.removeEventListener("select",K),r.removeEventListener("selectstart",K),r.removeEventListener("selectend",K),r.removeEventListener("squeeze",K),r.removeEventListener("squeezestart",K),r.removeEventListener("squeezeend",K),r.removeEventListener("end",k),r.removeEventListener("inputsourceschange",te);for(let Z=0;Z<A.length;Z++){const me=R[Z];me!==null&&(R[Z]=null,A[Z].disconnect(me))}I=null,F=null,m.reset();for(const Z in f)delete f[Z];if(e.setRenderTarget(w),d=null,h=null,p=null,r=null,y=null,Ie.stop(),i.isPresenting=!1,e.setPixelRatio(E),e.setSize(g.width,g.height,!1),U!==null){const Z=U.camera;Z.fov=U.fov,Z.zoom=U.zoom,Z.updateProjectionMatrix(),U=null}i.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function(Z){s=Z,i.isPresenting===!0&&Pe("WebXRManager: Cannot change framebuffer scale while presenting.")},this.setReferenceSpaceType=function(Z){o=Z,i.isPresenting===!0&&Pe("WebXRManager: Cannot change reference space type while presenting.")},this.getReferenceSpace=function(){return c||a},this.setReferenceSpace=function(Z){c=Z},this.getBaseLayer=function(){return h!==null?h:d},this.getBinding=function(){return p===null&&S&&(p=new XRWebGLBinding(r,t)),p},this.getFrame=function(){return _},this.getSession=function(){return r},this.setSession=async function(Z){if(r=Z,r!==null){if(w=e.getRenderTarget(),r.addEventListener("select",K),r.addEventListener("selectstart",K),r.addEventListener("selectend",K),r.addEventListener("squeeze",K),r.addEventListener("squeezestart",K),r.addEventListener("squeezeend",K),r.addEventListener("end",k),r.addEventListener("inputsourceschange",te),v.xrCompatible!==!0&&await t.makeXRCompatible(),E=e.getPixelRatio(),e.getSize(g),S&&"createProjectionLayer"in XRWebGLBinding.prototype){let xe=null,Ae=null,ge=null;v.depth&&(ge=v.stencil?t.DEPTH24_STENCIL8:t.DEPTH_COMPONENT24,xe=v.stencil?Jn:jn,Ae=v.stencil?Oi:yn);const Ue={colorFormat:t.RGBA8,depthFormat:ge,scaleFactor:s};p=this.getBinding(),h=p.createProjectionLayer(Ue),r.updateRenderState({layers:[h]}),e.setPixelRatio(1),e.setSize(h.textureWidth,h.textureHeight,!1),y=new hn(h.textureWidth,h.textureHeight,{format:cn,type:en,depthTexture:new Bi(h.textureWidth,h.textureHeight,Ae,void 0,void 0,void 0,void 0,void 0,void 0,xe),stencilBuffer:v.stencil,colorSpace:e.outputColorSpace,samples:v.antialias?4:0,resolveDepthBuffer:h.ignoreDepthValues===!1,resolveStencilBuffer:h.ignoreDepthValues===!1,storeMultisampledDepthBuffer:h.ignoreDepthValues===!1,storeMultisampledStencilBuffer:h.ignoreDepthValues===!1})}else{const xe={antialias:v.antialias,alpha:!0,depth:v.depth,stencil:v.stencil,framebufferScaleFactor:s};d=new XRWebGLLayer(r,t,xe),r.updateRenderState({baseLayer:d}),e.setPixelRatio(1),e.setSize(d.framebufferWidth,d.framebufferHeight,!1),y=new hn(d.framebufferWidth,d.framebufferHeight,{format:cn,type:en,colorSpace:e.outputColorSpace,stencilBuffer:v.stencil,resolveDepthBuffer:d.ignoreDepthValues===!1,resolveStencilBuffer:d.ignoreDepthValues===!1,storeMultisampledDepthBuffer:d.ignoreDepthValues===!1,storeMultisampledStencilBuffer:d.ignoreDepthValues===!1})}y.isXRRenderTarget=!0,this.setFoveation(l),c=null,a=await r.requestReferenceSpace(o),Ie.setContext(r),Ie.start(),i.isPresenting=!0,i.dispatchEvent({type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(r!==null)return r.environmentBlendMode},this.getDepthTexture=function(){return m.getDepthTexture()};function te(Z){for(let me=0;me<Z.removed.length;me++){const xe=Z.removed[me],Ae=R.indexOf(xe);Ae>=0&&(R[Ae]=null,A[Ae].disconnect(xe))}for(let me=0;me<Z.added.length;me++){const xe=Z.added[me];let Ae=R.indexOf(xe);if(Ae===-1){for(let Ue=0;Ue<A.length;Ue++)if(Ue>=R.length){R.push(xe),Ae=Ue;break}else if(R[Ue]===null){R[Ue]=xe,Ae=Ue;break}if(Ae===-1)break}const ge=A[Ae];ge&&ge.connect(xe)}}function X(Z,me){me===null?Z.matrixWorld.copy(Z.matrix):Z.matrixWorld.multiplyMatrices(me.matrixWorld,Z.matrix),Z.matrixWorldInverse.copy(Z.matrixWorld).invert()}this.updateCamera=function(Z){if(r===null)return;let me=Z.near,xe=Z.far;m.texture!==null&&(m.depthNear>0&&(me=m.depthNear),m.depthFar>0&&(xe=m.depthFar)),W.near=D.near=P.near=me,W.far=D.far=P.far=xe,(I!==W.near||F!==W.far)&&(r.updateRenderState({depthNear:W.near,depthFar:W.far}),I=W.near,F=W.far),W.layers.mask=Z.layers.mask|6,P.layers.mask=W.layers.mask&-5,D.layers.mask=W.layers.mask&-3;const Ae=Z.parent,ge=W.cameras;X(W,Ae);for(let Ue=0;Ue<ge.length;Ue++)X(ge[Ue],Ae);W.projectionMatrix.copy(P.projectionMatrix),W.projectionMatrixInverse.copy(P.projectionMatrixInverse),U===null&&Z.isPerspectiveCamera&&(U={camera:Z,fov:Z.fov,zoom:Z.zoom}),j(Z,W,Ae)};function j(Z,me,xe){xe===null?Z.matrix.copy(me.matrixWorld):(Z.matrix.copy(xe.matrixWorld),Z.matrix.invert(),Z.matrix.multiply(me.matrixWorld)),Z.matrix.decompose(Z.position,Z.quaternion,Z.scale),Z.updateMatrixWorld(!0),Z.projectionMatrix.copy(me.projectionMatrix),Z.projectionMatrixInverse.copy(me.projectionMatrixInverse),Z.isPerspectiveCamera&&(Z.fov=vo*2*Math.atan(1/Z.projectionMatrix.elements[5]),Z.zoom=1)}this.getCamera=function(){return W},this.getFoveation=function(){if(!(h===null&&d===null))return l},this.setFoveation=function(Z){l=Z,h!==null&&(h.fixedFoveation=Z),d!==null&&d.fixedFoveation!==void 0&&(d.fixedFoveation=Z)},this.hasDepthSensing=function(){return m.texture!==null},this.getDepthSensingMesh=function(){return m.getMesh(W)},this.getCameraTexture=function(Z){return f[Z]};let ee=null;function ye(Z,me){if(u=me.getViewerPose(c||a),_=me,u!==null){const xe=u.views;d!==null&&(e.setRenderTargetFramebuffer(y,d.framebuffer),e.setRenderTarget(y));let Ae=!1;xe.length!==W.cameras.length&&(W.cameras.length=0,Ae=!0);for(let Ce=0;Ce<xe.length;Ce++){const Ke=xe[Ce];let Qe=null;if(d!==null)Qe=d.getViewport(Ke);else{const Tt=p.getViewSubImage(h,Ke);Qe=Tt.viewport,Ce===0&&(e.setRenderTargetTextures(y,Tt.colorTexture,Tt.depthStencilTexture),e.setRenderTarget(y))}let ke=G[Ce];ke===void 0&&(ke=new mn,ke.layers.enable(Ce),ke.viewport=new lt,G[Ce]=ke),ke.matrix.fromArray(Ke.transform.matrix),ke.matrix.decompose(ke.position,ke.quaternion,ke.scale),ke.projectionMatrix.fromArray(Ke.projectionMatrix),ke.projectionMatrixInverse.copy(ke.projectionMatrix).invert(),ke.viewport.set(Qe.x,Qe.y,Qe.width,Qe.height),Ce===0&&(W.matrix.copy(ke.matrix),W.matrix.decompose(W.position,W.quaternion,W.scale)),Ae===!0&&W.cameras.push(ke)}const ge=r.enabledFeatures;if(ge&&ge.includes("depth-sensing")&&r.depthUsage=="gpu-optimized"&&S){p=i.getBinding();const Ce=p.getDepthInformation(xe[0]);Ce&&Ce.isValid&&Ce.texture&&m.init(Ce,r.renderState)}if(ge&&ge.includes("camera-access")&&S){e.state.unbindTexture(),p=i.getBinding();for(let Ce=0;Ce<xe.length;Ce++){const Ke=xe[Ce].camera;if(Ke){let Qe=f[Ke];Qe||(Qe=new Rh,f[Ke]=Qe);const ke=p.getCameraImage(Ke);Qe.sourceTexture=ke}}}}for(let xe=0;xe<A.length;xe++){const Ae=R[xe],ge=A[xe];Ae!==null&&ge!==void 0&&ge.update(Ae,me,c||a)}ee&&ee(Z,me),me.detectedPlanes&&i.dispatchEvent({type:"planesdetected",data:me}),_=null}const Ie=new Lh;Ie.setAnimationLoop(ye),this.setAnimationLoop=function(Z){ee=Z},this.dispose=function(){}}}const wv=new dt,Gh=new De;Gh.set(-1,0,0,0,1,0,0,0,1);function Tv(n,e){function t(m,f){m.matrixAutoUpdate===!0&&m.updateMatrix(),f.value.copy(m.matrix)}function i(m,f){f.color.getRGB(m.fogColor.value,Ch(n)),f.isFog?(m.fogNear.value=f.near,m.fogFar.value=f.far):f.isFogExp2&&(m.fogDensity.value=f.density)}function r(m,f,v,w,y){f.isNodeMaterial?f.uniformsNeedUpdate=!1:f.isMeshBasicMaterial?s(m,f):f.isMeshLambertMaterial?(s(m,f),f.envMap&&(m.envMapIntensity.value=f.envMapIntensity)):f.isMeshToonMaterial?(s(m,f),p(m,f)):f.isMeshPhongMaterial?(s(m,f),u(m,f),f.envMap&&(m.envMapIntensity.value=f.envMapIntensity)):f.isMeshStandardMaterial?(s(m,f),h(m,f),f.isMeshPhysicalMaterial&&d(m,f,y)):f.isMeshMatcapMaterial?(s(m,f),_(m,f)):f.isMeshDepthMaterial?s(m,f):f.isMeshDistanceMaterial?(s(m,f),S(m,f)):f.isMeshNormalMaterial?s(m,f):f.isLineBasicMaterial?(a(m,f),f.isLineDashedMaterial&&o(m,f)):f.isPointsMaterial?l(m,f,v,w):f.isSpriteMaterial?c(m,f):f.isShadowMaterial?(m.color.value.copy(f.color),m.opacity.value=f.opacity):f.isShaderMaterial&&(f.uniformsNeedUpdate=!1)}function s(m,f){m.opacity.value=f.opacity,f.color&&m.diffuse.value.copy(f.color),f.emissive&&m.emissive.value.copy(f.emissive).multiplyScalar(f.emissiveIntensity),f.map&&(m.map.value=f.map,t(f.map,m.mapTransform)),f.alphaMap&&(m.alphaMap.value=f.alphaMap,t(f.alphaMap,m.alphaMapTransform)),f.bumpMap&&(m.bumpMap.value=f.bumpMap,t(f.bumpMap,m.bumpMapTransform),m.bumpScale.value=f.bumpScale,f.side===Gt&&(m.bumpScale.value*=-1)),f.normalMap&&(m.normalMap.value=f.normalMap,t(f.normalMap,m.normalMapTransform),m.normalScale.value.copy(f.normalScale),f.side===Gt&&m.normalScale.value.negate()),f.displacementMap&&(m.displacementMap.value=f.displacementMap,t(f.displacementMap,m.displacementMapTransform),m.displacementScale.value=f.displacementScale,m.displacementBias.value=f.displacementBias),f.emissiveMap&&(m.emissiveMap.value=f.emissiveMap,t(f.emissiveMap,m.emissiveMapTransform)),f.specularMap&&(m.specularMap.value=f.specularMap,t(f.specularMap,m.specularMapTransform)),f.alphaTest>0&&(m.alphaTest.value=f.alphaTest);const v=e.get(f),w=v.envMap,y=v.envMapRotation;w&&(m.envMap.value=w,m.envMapRotation.value.setFromMatrix4(wv.makeRotationFromEuler(y)).transpose(),w.isCubeTexture&&w.isRenderTargetTexture===!1&&m.envMapRotation.value.premultiply(Gh),m.reflectivity.value=f.reflectivity,m.ior.value=f.ior,m.refractionRatio.value=f.refractionRatio),f.lightMap&&(m.lightMap.value=f.lightMap,m.lightMapIntensity.value=f.lightMapIntensity,t(f.lightMap,m.lightMapTransform)),f.aoMap&&(m.aoMap.value=f.aoMap,m.aoMapIntensity.value=f.aoMapIntensity,t(f.aoMap,m.aoMapTransform))}function a(m,f){m.diffuse.value.copy(f.color),m.opacity.value=f.opacity,f.map&&(m.map.value=f.map,t(f.map,m.mapTransform))}function o(m,f){m.dashSize.value=f.dashSize,m.totalSize.value=f.dashSize+f.gapSize,m.scale.value=f.scale}function l(m,f,v,w){m.diffuse.value.copy(f.color),m.opacity.value=f.opacity,m.size.value=f.size*v,m.scale.value=w*.5,f.map&&(m.map.value=f.map,t(f.map,m.uvTransform)),f.alphaMap&&(m.alphaMap.value=f.alphaMap,t(f.alphaMap,m.alphaMapTransform)),f.alphaTest>0&&(m.alphaTest.value=f.alphaTest)}function c(m,f){m.diffuse.value.copy(f.color),m.opacity.value=f.opacity,m.rotation.value=f.rotation,f.map&&(m.map.value=f.map,t(f.map,m.mapTransform)),f.alphaMap&&(m.alphaMap.value=f.alphaMap,t(f.alphaMap,m.alphaMapTransform)),f.alphaTest>0&&(m.alphaTest.value=f.alphaTest)}function u(m,f){m.specular.value.copy(f.specular),m.shininess.value=Math.max(f.shininess,1e-4)}function p(m,f){f.gradientMap&&(m.gradientMap.value=f.gradientMap)}function h(m,f){m.metalness.value=f.metalness,f.metalnessMap&&(m.metalnessMap.value=f.metalnessMap,t(f.metalnessMap,m.metalnessMapTransform)),m.roughness.value=f.roughness,f.roughnessMap&&(m.roughnessMap.value=f.roughnessMap,t(f.roughnessMap,m.roughnessMapTransform)),f.envMap&&(m.envMapIntensity.value=f.envMapIntensity)}function d(m,f,v){m.ior.value=f.ior,f.diffuseRoughness>0&&(m.diffuseRoughness.value=f.diffuseRoughness,f.diffuseRoughnessMap&&(m.diffuseRoughnessMap.value=f.diffuseRoughnessMap,t(f.diffuseRoughnessMap,m.diffuseRoughnessMapTransform))),f.sheen>0&&(m.sheenColor.value.copy(f.sheenColor).multiplyScalar(f.sheen),m.sheenRoughness.value=f.sheenRoughness,f.sheenColorMap&&(m.sheenColorMap.value=f.sheenColorMap,t(f.sheenColorMap,m.sheenColorMapTransform)),f.sheenRoughnessMap&&(m.sheenRoughnessMap.value=f.sheenRoughnessMap,t(f.sheenRoughnessMap,m.sheenRoughnessMapTransform))),f.clearcoat>0&&(m.clearcoat.value=f.clearcoat,m.clearcoatRoughness.value=f.clearcoatRoughness,f.clearcoatMap&&(m.clearcoatMap.value=f.clearcoatMap,t(f.clearcoatMap,m.clearcoatMapTransform)),f.clearcoatRoughnessMap&&(m.clearcoatRoughnessMap.value=f.clearcoatRoughnessMap,t(f.clearcoatRoughnessMap,m.clearcoatRoughnessMapTransform)),f.clearcoatNormalMap&&(m.clearcoatNormalMap.value=f.clearcoatNormalMap,t(f.clearcoatNormalMap,m.clearcoatNormalMapTransform),m.clearcoatNormalScale.value.copy(f.clearcoatNormalScale),f.side===Gt&&m.clearcoatNormalScale.value.negate())),f.dispersion>0&&(m.dispersion.value=f.dispersion),f.retroreflectivity>0&&(m.retroreflectivity.value=f.retroreflectivity),f.iridescence>0&&(m.iridescence.value=f.iridescence,m.iridescenceIOR.value=f.iridescenceIOR,m.iridescenceThicknessMinimum.value=f.iridescenceThicknessMinimum,m.iridescenceThicknessMaximum.value=f.iridescenceThicknessMaximum,f.iridescenceMap&&(m.iridescenceMap.value=f.iridescenceMap,t(f.iridescenceMap,m.iridescenceMapTransform)),f.iridescenceThicknessMap&&(m.iridescenceThicknessMap.value=f.iridescenceThicknessMap,t(f.iridescenceThicknessMap,m.iridescenceThicknessMapTransform))),f.transmission>0&&(m.transmission.value=f.transmission,m.transmissionSamplerMap.value=v.texture,m.transmissionSamplerSize.value.set(v.width,v.height),f.transmissionMap&&(m.transmissionMap.value=f.transmissionMap,t(f.transmissionMap,m.transmissionMapTransform)),m.thickness.value=f.thickness,f.thicknessMap&&(m.thicknessMap.value=f.thicknessMap,t(f.thicknessMap,m.thicknessMapTransform)),m.attenuationDistance.value=f.attenuationDistance,m.attenuationColor.value.copy(f.attenuationColor)),f.anisotropy>0&&(m.anisotropyVector.value.set(f.anisotropy*Math.cos(f.anisotropyRotation),f.anisotropy*Math.sin(f.anisotropyRotation)),f.anisotropyMap&&(m.anisotropyMap.value=f.anisotropyMap,t(f.anisotropyMap,m.anisotropyMapTransform))),m.specularIntensity.value=f.specularIntensity,m.specularColor.value.copy(f.specularColor),f.specularColorMap&&(m.specularColorMap.value=f.specularColorMap,t(f.specularColorMap,m.specularColorMapTransform)),f.specularIntensityMap&&(m.specularIntensityMap.value=f.specularIntensityMap,t(f.specularIntensityMap,m.specularIntensityMapTransform))}function _(m,f){f.matcap&&(m.matcap.value=f.matcap)}function S(m,f){const v=e.get(f).light;m.referencePosition.value.setFromMatrixPosition(v.matrixWorld),m.nearDistance.value=v.shadow.camera.near,m.farDistance.value=v.shadow.camera.far}return{refreshFogUniforms:i,refreshMaterialUniforms:r}}function Av(n,e,t,i){let r={},s={};function a(v,w){const y=w.program;i.uniformBlockBinding(v,y,r[v.id])}function o(v,w){let y=r[v.id];y===void 0&&(_(v),y=l(v),r[v.id]=y,v.addEventListener("dispose",m));const A=w.program;i.updateUBOMapping(v,A);const R=e.render.frame;s[v.id]!==R&&(c(v),s[v.id]=R)}function l(v){const w=n.createBuffer(),y=v.__size,A=v.usage;return n.bindBuffer(n.UNIFORM_BUFFER,w),n.bufferData(n.UNIFORM_BUFFER,y,A),n.bindBuffer(n.UNIFORM_BUFFER,null),w}function c(v){const w=r[v.id],y=v.uniforms,A=v.__cache;n.bindBuffer(n.UNIFORM_BUFFER,w);for(let R=0,g=y.length;R<g;R++){const E=y[R];if(Array.isArray(E))for(let U=0,P=E.length;U<P;U++)u(E[U],R,U,A);else u(E,R,0,A)}n.bindBuffer(n.UNIFORM_BUFFER,null)}function u(v,w,y,A){if(h(v,w,y,A)===!0){const R=v.__offset,g=v.value;if(Array.isArray(g)){let E=0;for(let U=0;U<g.length;U++){const P=g[U],D=S(P,!0);p(P,v.__data,E),E+=D.storage/Float32Array.BYTES_PER_ELEMENT}}else p(g,v.__data,0);n.bufferSubData(n.UNIFORM_BUFFER,R,v.__data)}}function p(v,w,y){typeof v=="number"||typeof v=="boolean"?w[y]=v:v.isMatrix3?(w[y]=v.elements[0],w[y+1]=v.elements[1],w[y+2]=v.elements[2],w[y+3]=0,w[y+4]=v.elements[3],w[y+5]=v.elements[4],w[y+6]=v.elements[5],w[y+7]=0,w[y+8]=v.elements[6],w[y+9]=v.elements[7],w[y+10]=v.elements[8],w[y+11]=0):ArrayBuffer.isView(v)?w.set(v.subarray(0,w.length-y),y):v.toArray(w,y)}function h(v,w,y,A){const R=v.value,g=w+"_"+y;if(Array.isArray(R)){A[g]===void 0&&(A[g]=[]);const E=A[g];let U=!1;for(let P=0;P<R.length;P++)d(R[P],E,P)===!0&&(U=!0);return U}return d(R,A,g)}function d(v,w,y){if(w[y]===void 0)return typeof v=="number"||typeof v=="boolean"?w[y]=v:ArrayBuffer.isView(v)?w[y]=v.slice():w[y]=v.clone(),!0;{const A=w[y];if(typeof v=="number"||typeof v=="boolean"){if(A!==v)return w[y]=v,!0}else{if(ArrayBuffer.isView(v))return!0;if(A.equals(v)===!1)return A.copy(v),!0}}return!1}function _(v){const w=v.uniforms;let y=0;const A=16;for(let g=0,E=w.length;g<E;g++){const U=Array.isArray(w[g])?w[g]:[w[g]];for(let P=0,D=U.length;P<D;P++){const G=U[P],W=Array.isArray(G.value)?G.value:[G.value],I=Array.isArray(w[g])||Array.isArray(G.value);let F=y;for(let k=0,te=W.length;k<te;k++){const X=W[k],j=S(X,I),ee=y%A,ye=ee%j.boundary,Ie=ee+ye;y+=ye,Ie!==0&&A-Ie<j.storage&&(y+=A-Ie),k===0&&(F=y),y+=j.storage}const K=G.type==="int"?Int32Array:G.type==="uint"?Uint32Array:Float32Array;G.__data=new K((y-F)/Float32Array.BYTES_PER_ELEMENT),G.__offset=F}}const R=y%A;return R>0&&(y+=A-R),v.__size=y,v.__cache={},this}function S(v,w){const y={boundary:0,storage:0};return typeof v=="number"||typeof v=="boolean"?(y.boundary=4,y.storage=4):v.isVector2?(y.boundary=8,y.storage=8):v.isVector3||v.isColor?(y.boundary=16,y.storage=12):v.isVector4?(y.boundary=16,y.storage=16):v.isMatrix3?(y.boundary=16,y.storage=48):v.isMatrix4?(y.boundary=16,y.storage=64):v.isTexture?Pe("WebGLRenderer: Texture samplers can not be part of an uniforms group."):ArrayBuffer.isView(v)?(y.boundary=16,y.storage=v.byteLength):Pe("WebGLRenderer: Unsupported uniform value type.",v),w===!0&&(y.boundary=16,y.storage=Math.ceil(y.storage/16)*16),y}function m(v){const w=v.target;w.removeEventListener("dispose",m),n.deleteBuffer(r[w.id]),delete r[w.id],delete s[w.id]}function f(){for(const v in r)n.deleteBuffer(r[v]);r={},s={}}return{bind:a,update:o,dispose:f}}const Rv=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,14545,13625,14713,13328,14840,12882,14931,12528,14996,12233,15039,11829,15066,11525,15080,11295,15085,10976,15082,10705,15073,10495,13880,14564,13898,14542,13977,14430,14158,14124,14393,13732,14556,13410,14702,12996,14814,12596,14891,12291,14937,11834,14957,11489,14958,11194,14943,10803,14921,10506,14893,10278,14858,9960,14484,14039,14487,14025,14499,13941,14524,13740,14574,13468,14654,13106,14743,12678,14818,12344,14867,11893,14889,11509,14893,11180,14881,10751,14852,10428,14812,10128,14765,9754,14712,9466,14764,13480,14764,13475,14766,13440,14766,13347,14769,13070,14786,12713,14816,12387,14844,11957,14860,11549,14868,11215,14855,10751,14825,10403,14782,10044,14729,9651,14666,9352,14599,9029,14967,12835,14966,12831,14963,12804,14954,12723,14936,12564,14917,12347,14900,11958,14886,11569,14878,11247,14859,10765,14828,10401,14784,10011,14727,9600,14660,9289,14586,8893,14508,8533,15111,12234,15110,12234,15104,12216,15092,12156,15067,12010,15028,11776,14981,11500,14942,11205,14902,10752,14861,10393,14812,9991,14752,9570,14682,9252,14603,8808,14519,8445,14431,8145,15209,11449,15208,11451,15202,11451,15190,11438,15163,11384,15117,11274,15055,10979,14994,10648,14932,10343,14871,9936,14803,9532,14729,9218,14645,8742,14556,8381,14461,8020,14365,7603,15273,10603,15272,10607,15267,10619,15256,10631,15231,10614,15182,10535,15118,10389,15042,10167,14963,9787,14883,9447,14800,9115,14710,8665,14615,8318,14514,7911,14411,7507,14279,7198,15314,9675,15313,9683,15309,9712,15298,9759,15277,9797,15229,9773,15166,9668,15084,9487,14995,9274,14898,8910,14800,8539,14697,8234,14590,7790,14479,7409,14367,7067,14178,6621,15337,8619,15337,8631,15333,8677,15325,8769,15305,8871,15264,8940,15202,8909,15119,8775,15022,8565,14916,8328,14804,8009,14688,7614,14569,7287,14448,6888,14321,6483,14088,6171,15350,7402,15350,7419,15347,7480,15340,7613,15322,7804,15287,7973,15229,8057,15148,8012,15046,7846,14933,7611,14810,7357,14682,7069,14552,6656,14421,6316,14251,5948,14007,5528,15356,5942,15356,5977,15353,6119,15348,6294,15332,6551,15302,6824,15249,7044,15171,7122,15070,7050,14949,6861,14818,6611,14679,6349,14538,6067,14398,5651,14189,5311,13935,4958,15359,4123,15359,4153,15356,4296,15353,4646,15338,5160,15311,5508,15263,5829,15188,6042,15088,6094,14966,6001,14826,5796,14678,5543,14527,5287,14377,4985,14133,4586,13869,4257,15360,1563,15360,1642,15358,2076,15354,2636,15341,3350,15317,4019,15273,4429,15203,4732,15105,4911,14981,4932,14836,4818,14679,4621,14517,4386,14359,4156,14083,3795,13808,3437,15360,122,15360,137,15358,285,15355,636,15344,1274,15322,2177,15281,2765,15215,3223,15120,3451,14995,3569,14846,3567,14681,3466,14511,3305,14344,3121,14037,2800,13753,2467,15360,0,15360,1,15359,21,15355,89,15346,253,15325,479,15287,796,15225,1148,15133,1492,15008,1749,14856,1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]);let pn=null;function Cv(){return pn===null&&(pn=new So(Rv,16,16,gi,qt),pn.name="DFG_LUT",pn.minFilter=Ut,pn.magFilter=Ut,pn.wrapS=vn,pn.wrapT=vn,pn.generateMipmaps=!1,pn.needsUpdate=!0),pn}class Pv{constructor(e={}){const{canvas:t=Kf(),context:i=null,depth:r=!0,stencil:s=!1,alpha:a=!1,antialias:o=!1,premultipliedAlpha:l=!0,preserveDrawingBuffer:c=!1,powerPreference:u="default",failIfMajorPerformanceCaveat:p=!1,reversedDepthBuffer:h=!1,outputBufferType:d=en}=e;this.isWebGLRenderer=!0;let _;if(i!==null){if(typeof WebGLRenderingContext<"u"&&i instanceof WebGLRenderingContext)throw new Error("THREE.WebGLRenderer: WebGL 1 is not supported since r163.");_=i.getContextAttributes().alpha}else _=a;const S=d,m=new Set([tl,el,jo]),f=new Set([en,yn,lr,Oi,Zo,Jo]),v=new Uint32Array(4),w=new Int32Array(4),y={textures:[],min:[],max:[],resolution:[]};let A=null,R=null;const g=[],E=[];let U=null;this.domElement=t,this.debug={checkShaderErrors:!0,diagnostics:{keywords:!1},onShaderError:null},this.autoClear=!0,this.autoClearColor=!0,this.autoClearDepth=!0,this.autoClearStencil=!0,this.sortObjects=!0,this.clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=Dn,this.toneMappingExposure=1,this.transmissionResolutionScale=1;const P=this;let D=!1,G=null,W=null,I=null,F=null;this._outputColorSpace=jt;let K=0,k=0,te=null,X=-1,j=null;const ee=new lt,ye=new lt;let Ie=null;const Z=new Ye(0);let me=0,xe=t.width,Ae=t.height,ge=1,Ue=null,ft=null;const Ce=new lt(0,0,xe,Ae),Ke=new lt(0,0,xe,Ae);let Qe=!1;const ke=new ys,Tt=new sl;let _t=!1,Ot=!1;const at=new dt,dn=new V,Mt=new lt,Yt={background:null,fog:null,environment:null,overrideMaterial:null,isScene:!0};let Kt=!1;function Zt(){return te===null?ge:1}let N=i;function Jt(M,L){return t.getContext(M,L)}let rt,st,de,vt,Re,Le,T,x,B,ne,Q,se,ue,q,Y,oe,C,J,$,le,re,ae,be;try{const M={alpha:!0,depth:r,stencil:s,antialias:o,premultipliedAlpha:l,preserveDrawingBuffer:c,powerPreference:u,failIfMajorPerformanceCaveat:p};if("setAttribute"in t&&t.setAttribute("data-engine",`three.js r${Yo}`),t.addEventListener("webglcontextlost",Te,!1),t.addEventListener("webglcontextrestored",Fe,!1),t.addEventListener("webglcontextcreationerror",fe,!1),N===null){const L="webgl2";if(N=Jt(L,M),N===null)throw Jt(L)?new Error("THREE.WebGLRenderer: Error creating WebGL context with your selected attributes."):new Error("THREE.WebGLRenderer: Error creating WebGL context.")}Oe()}catch(M){throw t.removeEventListener("webglcontextlost",Te,!1),t.removeEventListener("webglcontextrestored",Fe,!1),t.removeEventListener("webglcontextcreationerror",fe,!1),qe("WebGLRenderer: "+M.message),M}function Oe(){rt=new I_(N),rt.init(),re=new Sv(N,rt),st=new y_(N,rt,e,re),de=new vv(N,rt),st.reversedDepthBuffer&&h&&de.buffers.depth.setReversed(!0),W=N.createFramebuffer(),I=N.createFramebuffer(),F=N.createFramebuffer(),vt=new F_(N),Re=new rv,Le=new xv(N,rt,de,Re,st,re,vt),T=new D_(P),x=new Bp(N),ae=new S_(N,x),B=new N_(N,x,vt,ae),ne=new B_(N,B,x,ae,vt),J=new O_(N,st,Le),Y=new E_(Re),Q=new iv(P,T,rt,st,ae,Y),se=new Tv(P,Re),ue=new av,q=new dv(rt),C=new x_(P,T,de,ne,_,l),oe=new _v(P,ne,st),be=new Av(N,vt,st,de),$=new M_(N,rt,vt),le=new U_(N,rt,vt),vt.programs=Q.programs,P.capabilities=st,P.extensions=rt,P.properties=Re,P.renderLists=ue,P.shadowMap=oe,P.state=de,P.info=vt}S!==en&&(U=new z_(S,t.width,t.height,o,r,s));const ie=new bv(P,N);this.xr=ie,this.getContext=function(){return N},this.getContextAttributes=function(){return N.getContextAttributes()},this.forceContextLoss=function(){const M=rt.get("WEBGL_lose_context");M&&M.loseContext()},this.forceContextRestore=function(){const M=rt.get("WEBGL_lose_context");M&&M.restoreContext()},this.getPixelRatio=function(){return ge},this.setPixelRatio=function(M){M!==void 0&&(ge=M,this.setSize(xe,Ae,!1))},this.getSize=function(M){return M.set(xe,Ae)},this.setSize=function(M,L,H=!0){if(ie.isPresenting){Pe("WebGLRenderer: Can't change size while VR device is presenting.");return}xe=M,Ae=L,t.width=Math.floor(M*ge),t.height=Math.floor(L*ge),H===!0&&(t.style.width=M+"px",t.style.height=L+"px"),U!==null&&U.setSize(t.width,t.height),this.setViewport(0,0,M,L)},this.getDrawingBufferSize=function(M){return M.set(xe*ge,Ae*ge).floor()},this.setDrawingBufferSize=function(M,L,H){xe=M,Ae=L,ge=H,t.width=Math.floor(M*H),t.height=Math.floor(L*H),this.setViewport(0,0,M,L)},this.setEffects=function(M){if(S===en){qe("WebGLRenderer: setEffects() requires outputBufferType set to HalfFloatType or FloatType.");return}if(M){for(let L=0;L<M.length;L++)if(M[L].isOutputPass===!0){Pe("WebGLRenderer: OutputPass is not needed in setEffects(). Tone mapping and color space conversion are applied automatically.");break}}U.setEffects(M||[])},this.getCurrentViewport=function(M){return M.copy(ee)},this.getViewport=function(M){return M.copy(Ce)},this.setViewport=function(M,L,H,O){M.isVector4?Ce.set(M.x,M.y,M.z,M.w):Ce.set(M,L,H,O),de.viewport(ee.copy(Ce).multiplyScalar(Zt()).round())},this.getScissor=function(M){return M.copy(Ke)},this.setScissor=function(M,L,H,O){M.isVector4?Ke.set(M.x,M.y,M.z,M.w):Ke.set(M,L,H,O),de.scissor(ye.copy(Ke).multiplyScalar(Zt()).round())},this.getScissorTest=function(){return Qe},this.setScissorTest=function(M){de.setScissorTest(Qe=M)},this.setOpaqueSort=function(M){Ue=M},this.setTransparentSort=function(M){ft=M},this.getClearColor=function(M){return M.copy(C.getClearColor())},this.setClearColor=function(){C.setClearColor(...arguments)},this.getClearAlpha=function(){return C.getClearAlpha()},this.setClearAlpha=function(){C.setClearAlpha(...arguments)},this.clear=function(M=!0,L=!0,H=!0){let O=0;if(M){let z=!1;if(te!==null){const he=te.texture.format;z=m.has(he)}if(z){const he=te.texture.type,ve=f.has(he),ce=C.getClearColor(),_e=C.getClearAlpha(),Ee=ce.r,Ne=ce.g,ze=ce.b;ve?(v[0]=Ee,v[1]=Ne,v[2]=ze,v[3]=_e,N.clearBufferuiv(N.COLOR,0,v)):(w[0]=Ee,w[1]=Ne,w[2]=ze,w[3]=_e,N.clearBufferiv(N.COLOR,0,w))}else O|=N.COLOR_BUFFER_BIT}L&&(O|=N.DEPTH_BUFFER_BIT,this.state.buffers.depth.setMask(!0)),H&&(O|=N.STENCIL_BUFFER_BIT,this.state.buffers.stencil.setMask(4294967295)),O!==0&&N.clear(O)},this.clearColor=function(){this.clear(!0,!1,!1)},this.clearDepth=function(){this.clear(!1,!0,!1)},this.clearStencil=function(){this.clear(!1,!1,!0)},this.setNodesHandler=function(M){M.setRenderer(this),G=M},this.dispose=function(){t.removeEventListener("webglcontextlost",Te,!1),t.removeEventListener("webglcontextrestored",Fe,!1),t.removeEventListener("webglcontextcreationerror",fe,!1),C.dispose(),ue.dispose(),q.dispose(),Le.dispose(),Re.dispose(),T.dispose(),ne.dispose(),B.dispose(),ae.dispose(),be.dispose(),Q.dispose(),ie.dispose(),ie.removeEventListener("sessionstart",gl),ie.removeEventListener("sessionend",_l),ni.stop()};function Te(M){M.preventDefault(),ec("WebGLRenderer: Context Lost."),D=!0}function Fe(){ec("WebGLRenderer: Context Restored."),D=!1;const M=vt.autoReset,L=oe.enabled,H=oe.autoUpdate,O=oe.needsUpdate,z=oe.type;Oe(),vt.autoReset=M,oe.enabled=L,oe.autoUpdate=H,oe.needsUpdate=O,oe.type=z}function fe(M){qe("WebGLRenderer: A WebGL context could not be created. Reason: ",M.statusMessage)}function Ze(M){const L=M.target;L.removeEventListener("dispose",Ze),yt(L)}function yt(M){Bn(M),Re.remove(M)}function Bn(M){const L=Re.get(M).programs;L!==void 0&&(L.forEach(function(H){Q.releaseProgram(H)}),M.isShaderMaterial&&Q.releaseShaderCache(M))}this.renderBufferDirect=function(M,L,H,O,z,he){L===null&&(L=Yt);const ve=z.isMesh&&z.matrixWorld.determinantAffine()<0,ce=Qh(M,L,H,O,z);de.setMaterial(O,ve);let _e=H.index,Ee=1;if(O.wireframe===!0){if(_e=B.getWireframeAttribute(H),_e===void 0)return;Ee=2}const Ne=H.drawRange,ze=H.attributes.position;let Se=Ne.start*Ee,Ge=(Ne.start+Ne.count)*Ee;he!==null&&(Se=Math.max(Se,he.start*Ee),Ge=Math.min(Ge,(he.start+he.count)*Ee)),_e!==null?(Se=Math.max(Se,0),Ge=Math.min(Ge,_e.count)):ze!=null&&(Se=Math.max(Se,0),Ge=Math.min(Ge,ze.count));const pt=Ge-Se;if(pt<0||pt===1/0)return;ae.setup(z,O,ce,H,_e);let nt,je=$;if(_e!==null&&(nt=x.get(_e),je=le,je.setIndex(nt)),z.isMesh)O.wireframe===!0?(de.setLineWidth(O.wireframeLinewidth*Zt()),je.setMode(N.LINES)):je.setMode(N.TRIANGLES);else if(z.isLine){let Ct=O.linewidth;Ct===void 0&&(Ct=1),de.setLineWidth(Ct*Zt()),z.isLineSegments?je.setMode(N.LINES):z.isLineLoop?je.setMode(N.LINE_LOOP):je.setMode(N.LINE_STRIP)}else z.isPoints?je.setMode(N.POINTS):z.isSprite&&je.setMode(N.TRIANGLES);if(z.isBatchedMesh)if(rt.get("WEBGL_multi_draw"))je.renderMultiDraw(z._multiDrawStarts,z._multiDrawCounts,z._multiDrawCount);else{const Ct=z._multiDrawStarts,Me=z._multiDrawCounts,It=z._multiDrawCount,$e=_e?x.get(_e).bytesPerElement:1,ii=Re.get(O).currentProgram.getUniforms();for(let Pt=0;Pt<It;Pt++)ii.setValue(N,"_gl_DrawID",Pt),je.render(Ct[Pt]/$e,Me[Pt])}else if(z.isInstancedMesh)je.renderInstances(Se,pt,z.count);else if(H.isInstancedBufferGeometry){const Ct=H._maxInstanceCount!==void 0?H._maxInstanceCount:1/0,Me=Math.min(H.instanceCount,Ct);je.renderInstances(Se,pt,Me)}else je.render(Se,pt)};function ml(M,L,H,O){G!==null&&M.isNodeMaterial&&G.setObject(O,M),_t===!0&&Y.setState(M,H,!1),M.transparent===!0&&M.side===_n&&M.forceSinglePass===!1?(M.side=Gt,M.needsUpdate=!0,Xi(M,L,O),M.side=mi,M.needsUpdate=!0,Xi(M,L,O),M.side=_n):Xi(M,L,O)}this.compile=function(M,L,H=null){H===null&&(H=M),G!==null&&G.renderStart(M,L,H),R=q.get(H),R.init(L),E.push(R),H.traverseVisible(function(z){z.isLight&&z.layers.test(L.layers)&&(R.pushLight(z),z.castShadow&&R.pushShadow(z))}),M!==H&&M.traverseVisible(function(z){z.isLight&&z.layers.test(L.layers)&&(R.pushLight(z),z.castShadow&&R.pushShadow(z))}),R.setupLights(),G!==null&&G.updateLights(R.state.lightsArray),Ot=this.localClippingEnabled,_t=Y.init(this.clippingPlanes,Ot),_t===!0&&Y.setGlobalState(this.clippingPlanes,L),G!==null&&oe.render(R.state.shadowsArray,H,L);const O=new Set;return M.traverse(function(z){if(!(z.isMesh||z.isPoints||z.isLine||z.isSprite))return;const he=z.material;if(he)if(Array.isArray(he))for(let ve=0;ve<he.length;ve++){const ce=he[ve];ml(ce,H,L,z),O.add(ce)}else ml(he,H,L,z),O.add(he)}),R=E.pop(),G!==null&&G.renderEnd(),O},this.compileAsync=function(M,L,H=null){const O=this.compile(M,L,H);return new Promise(z=>{function he(){if(O.forEach(function(ve){const _e=Re.get(ve).currentProgram;(_e===void 0||_e.isReady())&&O.delete(ve)}),O.size===0){z(M);return}setTimeout(he,10)}rt.get("KHR_parallel_shader_compile")!==null?he():setTimeout(he,10)})};let Gs=null;function Zh(M){Gs&&Gs(M)}function gl(){ni.stop()}function _l(){ni.start()}const ni=new Lh;ni.setAnimationLoop(Zh),typeof self<"u"&&ni.setContext(self),this.setAnimationLoop=function(M){Gs=M,ie.setAnimationLoop(M),M===null?ni.stop():ni.start()},ie.addEventListener("sessionstart",gl),ie.addEventListener("sessionend",_l),this.render=function(M,L){if(L!==void 0&&L.isCamera!==!0){qe("WebGLRenderer.render: camera is not an instance of THREE.Camera.");return}if(D===!0)return;G!==null&&G.renderStart(M,L);const H=ie.enabled===!0&&ie.isPresenting===!0,O=U!==null&&(te===null||H)&&U.begin(P,te);if(M.matrixWorldAutoUpdate===!0&&M.updateMatrixWorld(),L.parent===null&&L.matrixWorldAutoUpdate===!0&&L.updateMatrixWorld(),ie.enabled===!0&&ie.isPresenting===!0&&(U===null||U.isCompositing()===!1)&&(ie.cameraAutoUpdate===!0&&ie.updateCamera(L),L=ie.getCamera()),M.isScene===!0&&M.onBeforeRender(P,M,L,te),R=q.get(M,E.length),R.init(L),R.state.textureUnits=Le.getTextureUnits(),E.push(R),at.multiplyMatrices(L.projectionMatrix,L.matrixWorldInverse),L.isArrayCamera?Tt.setFromArrayCamera(L):ke.setFromProjectionMatrix(at,un,L.reversedDepth),Ot=this.localClippingEnabled,_t=Y.init(this.clippingPlanes,Ot),A=ue.get(M,g.length),A.init(),g.push(A),this.info.render.frame++,ie.enabled===!0&&ie.isPresenting===!0){const ve=P.xr.getDepthSensingMesh();ve!==null&&Hs(ve,L,-1/0,P.sortObjects)}Hs(M,L,0,P.sortObjects),A.finish(),G!==null&&G.updateLights(R.state.lightsArray),P.sortObjects===!0&&A.sort(Ue,ft),Kt=ie.enabled===!1||ie.isPresenting===!1||ie.hasDepthSensing()===!1,Kt&&C.addToRenderList(A,M),this.info.autoReset===!0&&this.info.reset(),_t===!0&&Y.beginShadows();const z=R.state.shadowsArray;if(oe.render(z,M,L),_t===!0&&Y.endShadows(),(O&&U.hasRenderPass())===!1){const ve=A.opaque,ce=A.transmissive;if(R.setupLights(),L.isArrayCamera){const _e=L.cameras;if(ce.length>0)for(let Ee=0,Ne=_e.length;Ee<Ne;Ee++){const ze=_e[Ee];xl(ve,ce,M,ze)}Kt&&C.render(M);for(let Ee=0,Ne=_e.length;Ee<Ne;Ee++){const ze=_e[Ee];vl(A,M,ze,ze.viewport)}}else ce.length>0&&xl(ve,ce,M,L),Kt&&C.render(M),vl(A,M,L)}te!==null&&k===0&&(Le.updateMultisampleRenderTarget(te),Le.updateRenderTargetMipmap(te)),O&&U.end(P),M.isScene===!0&&M.onAfterRender(P,M,L),ae.resetDefaultState(),X=-1,j=null,E.pop(),E.length>0?(R=E[E.length-1],Le.setTextureUnits(R.state.textureUnits),_t===!0&&Y.setGlobalState(P.clippingPlanes,R.state.camera)):R=null,g.pop(),g.length>0?A=g[g.length-1]:A=null,G!==null&&G.renderEnd()};function Hs(M,L,H,O){if(M.visible===!1)return;if(M.layers.test(L.layers)){if(M.isGroup)H=M.renderOrder;else if(M.isLOD)M.autoUpdate===!0&&M.update(L);else if(M.isLight)R.pushLight(M),M.castShadow&&R.pushShadow(M);else if(M.isSprite){const ve=L.isArrayCamera?Tt:ke;if(!M.frustumCulled||M.intersectsFrustum(ve)){O&&Mt.setFromMatrixPosition(M.matrixWorld).applyMatrix4(at);const ce=ne.update(M),_e=M.material;_e.visible&&A.push(M,ce,_e,H,Mt.z,null,L)}}else if(M.isMesh||M.isLine||M.isPoints){const ve=L.isArrayCamera?Tt:ke;if(!M.frustumCulled||M.intersectsFrustum(ve)){const ce=ne.update(M),_e=M.material;if(O&&(M.boundingSphere!==void 0?(M.boundingSphere===null&&M.computeBoundingSphere(),Mt.copy(M.boundingSphere.center)):(ce.boundingSphere===null&&ce.computeBoundingSphere(),Mt.copy(ce.boundingSphere.center)),Mt.applyMatrix4(M.matrixWorld).applyMatrix4(at)),Array.isArray(_e)){const Ee=ce.groups;for(let Ne=0,ze=Ee.length;Ne<ze;Ne++){const Se=Ee[Ne],Ge=_e[Se.materialIndex];Ge&&Ge.visible&&A.push(M,ce,Ge,H,Mt.z,Se,L)}}else _e.visible&&A.push(M,ce,_e,H,Mt.z,null,L)}}}const he=M.children;for(let ve=0,ce=he.length;ve<ce;ve++)Hs(he[ve],L,H,O)}function vl(M,L,H,O){const{opaque:z,transmissive:he,transparent:ve}=M;R.setupLightsView(H),_t===!0&&Y.setGlobalState(P.clippingPlanes,H),O&&de.viewport(ee.copy(O)),z.length>0&&gr(z,L,H),he.length>0&&gr(he,L,H),ve.length>0&&gr(ve,L,H),de.buffers.depth.setTest(!0),de.buffers.depth.setMask(!0),de.buffers.color.setMask(!0),de.setPolygonOffset(!1)}function xl(M,L,H,O){if((H.isScene===!0?H.overrideMaterial:null)!==null)return;if(R.state.transmissionRenderTarget[O.id]===void 0){const Se=rt.has("EXT_color_buffer_half_float")||rt.has("EXT_color_buffer_float");R.state.transmissionRenderTarget[O.id]=new hn(1,1,{generateMipmaps:!0,type:Se?qt:en,minFilter:Zn,samples:Math.max(4,st.samples),stencilBuffer:s,resolveDepthBuffer:!1,resolveStencilBuffer:!1,storeMultisampledDepthBuffer:!1,storeMultisampledStencilBuffer:!1,colorSpace:Ve.workingColorSpace})}const he=R.state.transmissionRenderTarget[O.id],ve=O.viewport||ee;he.setSize(ve.z*P.transmissionResolutionScale,ve.w*P.transmissionResolutionScale);const ce=P.getRenderTarget(),_e=P.getActiveCubeFace(),Ee=P.getActiveMipmapLevel();P.setRenderTarget(he),P.getClearColor(Z),me=P.getClearAlpha(),me<1&&P.setClearColor(16777215,.5),P.clear(),Kt&&C.render(H);const Ne=P.toneMapping;P.toneMapping=Dn;const ze=O.viewport;if(O.viewport!==void 0&&(O.viewport=void 0),R.setupLightsView(O),_t===!0&&Y.setGlobalState(P.clippingPlanes,O),gr(M,H,O),Le.updateMultisampleRenderTarget(he),Le.updateRenderTargetMipmap(he),rt.has("WEBGL_multisampled_render_to_texture")===!1){let Se=!1;for(let Ge=0,pt=L.length;Ge<pt;Ge++){const nt=L[Ge],{object:je,geometry:Ct,material:Me,group:It}=nt;if(Me.side===_n&&je.layers.test(O.layers)){const $e=Me.side;Me.side=Gt,Me.needsUpdate=!0,Sl(je,H,O,Ct,Me,It),Me.side=$e,Me.needsUpdate=!0,Se=!0}}Se===!0&&(Le.updateMultisampleRenderTarget(he),Le.updateRenderTargetMipmap(he))}P.setRenderTarget(ce,_e,Ee),P.setClearColor(Z,me),ze!==void 0&&(O.viewport=ze),P.toneMapping=Ne}function gr(M,L,H){const O=L.isScene===!0?L.overrideMaterial:null;for(let z=0,he=M.length;z<he;z++){const ve=M[z],{object:ce,geometry:_e,group:Ee}=ve;let Ne=ve.material;Ne.allowOverride===!0&&O!==null&&(Ne=O),ce.layers.test(H.layers)&&Sl(ce,L,H,_e,Ne,Ee)}}function Sl(M,L,H,O,z,he){G!==null&&z.isNodeMaterial&&G.setObject(M,z),M.onBeforeRender(P,L,H,O,z,he),M.modelViewMatrix.multiplyMatrices(H.matrixWorldInverse,M.matrixWorld),M.normalMatrix.getNormalMatrix(M.modelViewMatrix),z.onBeforeRender(P,L,H,O,M,he),z.transparent===!0&&z.side===_n&&z.forceSinglePass===!1?(z.side=Gt,z.needsUpdate=!0,P.renderBufferDirect(H,L,O,z,M,he),z.side=mi,z.needsUpdate=!0,P.renderBufferDirect(H,L,O,z,M,he),z.side=_n):P.renderBufferDirect(H,L,O,z,M,he),M.onAfterRender(P,L,H,O,z,he)}function Ml(M){let L=0;for(const H of M)H.texture!==null&&L++;return L}function Xi(M,L,H){L.isScene!==!0&&(L=Yt);const O=Re.get(M),z=R.state.lights,he=R.state.shadowsArray,ve=z.state.version,ce=Q.getParameters(M,z.state,he,L,H,R.state.lightProbeGridArray),_e=Q.getProgramCacheKey(ce);let Ee=O.programs;O.environment=M.isMeshStandardMaterial||M.isMeshLambertMaterial||M.isMeshPhongMaterial?L.environment:null,O.fog=L.fog;const Ne=M.isMeshStandardMaterial||M.isMeshLambertMaterial&&!M.envMap||M.isMeshPhongMaterial&&!M.envMap;O.envMap=T.get(M.envMap||O.environment,Ne),O.envMapRotation=O.environment!==null&&M.envMap===null?L.environmentRotation:M.envMapRotation,Ee===void 0&&(M.addEventListener("dispose",Ze),Ee=new Map,O.programs=Ee,O.programVariants=new Map);let ze=Ee.get(_e);if(ze!==void 0){if(O.currentProgram===ze&&O.lightsStateVersion===ve)return El(M,ce),ze}else ce.uniforms=Q.getUniforms(M),G!==null&&M.isNodeMaterial&&G.build(M,H,ce),M.onBeforeCompile(ce,P),ze=Q.acquireProgram(ce,_e),Ee.set(_e,ze),O.uniforms=ce.uniforms;const Se=O.uniforms;return(!M.isShaderMaterial&&!M.isRawShaderMaterial||M.clipping===!0)&&(Se.clippingPlanes=Y.uniform),El(M,ce),O.needsLights=ed(M),O.lightsStateVersion=ve,O.needsLights&&(Se.ambientLightColor.value=z.state.ambient,Se.lightProbe.value=z.state.probe,Se.sunLights.value=z.state.sun,Se.sunLightShadows.value=z.state.sunShadow,Se.directionalLights.value=z.state.directional,Se.directionalLightShadows.value=z.state.directionalShadow,Se.spotLights.value=z.state.spot,Se.spotLightShadows.value=z.state.spotShadow,Se.rectAreaLights.value=z.state.rectArea,Se.ltc_1.value=z.state.rectAreaLTC1,Se.ltc_2.value=z.state.rectAreaLTC2,Se.pointLights.value=z.state.point,Se.pointLightShadows.value=z.state.pointShadow,Se.hemisphereLights.value=z.state.hemi,Se.sunShadowMatrix.value=z.state.sunShadowMatrix,Se.sunShadowCascade.value=z.state.sunShadowCascade,Se.directionalShadowMatrix.value=z.state.directionalShadowMatrix,Se.spotLightMatrix.value=z.state.spotLightMatrix,Se.spotLightMap.value=z.state.spotLightMap,Se.pointShadowMatrix.value=z.state.pointShadowMatrix),O.numLightProbeGrids=Ml(R.state.lightProbeGridArray),O.currentProgram=ze,O.uniformsList=null,ze}function Jh(M,L,H,O,z){const he=Re.get(M),ve=he.currentProgram.id+","+O+","+z;let ce=he.programVariants.get(ve);return ce===void 0?(ce=Xi(M,L,H),he.programVariants.set(ve,ce)):(he.currentProgram=ce,he.uniformsList=null,he.outputColorSpace=O,he.toneMapping=z),ce}function yl(M){if(M.uniformsList===null){const L=M.currentProgram.getUniforms();M.uniformsList=ss.seqWithValue(L.seq,M.uniforms)}return M.uniformsList}function El(M,L){const H=Re.get(M);H.outputColorSpace=L.outputColorSpace,H.batching=L.batching,H.batchingColor=L.batchingColor,H.instancing=L.instancing,H.instancingColor=L.instancingColor,H.instancingMorph=L.instancingMorph,H.skinning=L.skinning,H.morphTargets=L.morphTargets,H.morphNormals=L.morphNormals,H.morphColors=L.morphColors,H.morphTargetsCount=L.morphTargetsCount,H.numClippingPlanes=L.numClippingPlanes,H.numIntersection=L.numClipIntersection,H.vertexAlphas=L.vertexAlphas,H.vertexTangents=L.vertexTangents,H.toneMapping=L.toneMapping}function Qh(M,L,H,O,z){L.isScene!==!0&&(L=Yt),Le.resetTextureUnits();const he=L.fog,ve=O.isMeshStandardMaterial||O.isMeshLambertMaterial||O.isMeshPhongMaterial?L.environment:null,ce=te===null?P.outputColorSpace:te.isXRRenderTarget===!0?te.texture.colorSpace:Ve.workingColorSpace,_e=O.isMeshStandardMaterial||O.isMeshLambertMaterial&&!O.envMap||O.isMeshPhongMaterial&&!O.envMap,Ee=T.get(O.envMap||ve,_e),Ne=O.vertexColors===!0&&!!H.attributes.color&&H.attributes.color.itemSize===4,ze=!!H.attributes.tangent&&(!!O.normalMap||O.anisotropy>0),Se=!!H.morphAttributes.position,Ge=!!H.morphAttributes.normal,pt=!!H.morphAttributes.color;let nt=Dn;O.toneMapped&&(te===null||te.isXRRenderTarget===!0)&&(nt=P.toneMapping);const je=H.morphAttributes.position||H.morphAttributes.normal||H.morphAttributes.color,Ct=je!==void 0?je.length:0,Me=Re.get(O),It=R.state.lights;if(_t===!0&&(Ot===!0||M!==j)){const ot=M===j&&O.id===X;Y.setState(O,M,ot)}let $e=!1,ii=!1;O.version===Me.__version?Me.needsLights&&Me.lightsStateVersion!==It.state.version||z.isBatchedMesh&&Me.batching===!1||!z.isBatchedMesh&&Me.batching===!0||z.isBatchedMesh&&Me.batchingColor===!0&&z._colorsTexture===null||z.isBatchedMesh&&Me.batchingColor===!1&&z._colorsTexture!==null||z.isInstancedMesh&&Me.instancing===!1||!z.isInstancedMesh&&Me.instancing===!0||z.isSkinnedMesh&&Me.skinning===!1||!z.isSkinnedMesh&&Me.skinning===!0||z.isInstancedMesh&&Me.instancingColor===!0&&z.instanceColor===null||z.isInstancedMesh&&Me.instancingColor===!1&&z.instanceColor!==null||z.isInstancedMesh&&Me.instancingMorph===!0&&z.morphTexture===null||z.isInstancedMesh&&Me.instancingMorph===!1&&z.morphTexture!==null||Me.envMap!==Ee||O.fog===!0&&Me.fog!==he||Me.numClippingPlanes!==void 0&&(Me.numClippingPlanes!==Y.numPlanes||Me.numIntersection!==Y.numIntersection)||Me.vertexAlphas!==Ne||Me.vertexTangents!==ze||Me.morphTargets!==Se||Me.morphNormals!==Ge||Me.morphColors!==pt||Me.morphTargetsCount!==Ct||Me.numLightProbeGrids!==Ml(R.state.lightProbeGridArray)?$e=!0:(Me.outputColorSpace!==ce||Me.toneMapping!==nt)&&(ii=!0):($e=!0,Me.__version=O.version);let Pt=Me.currentProgram;($e===!0||ii===!0)&&(Pt=ii===!0?Jh(O,L,z,ce,nt):Xi(O,L,z),G&&O.isNodeMaterial&&G.onUpdateProgram(O,Pt,Me));let _r=!1,kn=!1,ri=!1;const We=Pt.getUniforms(),At=Me.uniforms;if(de.useProgram(Pt.program)&&(_r=!0,kn=!0,ri=!0),O.id!==X&&(X=O.id,kn=!0),_r||j!==M){de.buffers.depth.getReversed()&&M.reversedDepth!==!0&&(M._reversedDepth=!0,M.updateProjectionMatrix()),We.setValue(N,"projectionMatrix",M.projectionMatrix),We.setValue(N,"viewMatrix",M.matrixWorldInverse);const Et=We.map.cameraPosition;Et!==void 0&&Et.setValue(N,dn.setFromMatrixPosition(M.matrixWorld)),st.logarithmicDepthBuffer&&We.setValue(N,"logDepthBufFC",2/(Math.log(M.far+1)/Math.LN2)),(O.isMeshPhongMaterial||O.isMeshToonMaterial||O.isMeshLambertMaterial||O.isMeshBasicMaterial||O.isMeshStandardMaterial||O.isShaderMaterial)&&We.setValue(N,"isOrthographic",M.isOrthographicCamera===!0),j!==M&&(j=M,kn=!0,ri=!0)}if(Me.needsLights&&(It.state.sunShadowMap.length>0&&We.setValue(N,"sunShadowMap",It.state.sunShadowMap,Le),It.state.directionalShadowMap.length>0&&We.setValue(N,"directionalShadowMap",It.state.directionalShadowMap,Le),It.state.spotShadowMap.length>0&&We.setValue(N,"spotShadowMap",It.state.spotShadowMap,Le),It.state.pointShadowMap.length>0&&We.setValue(N,"pointShadowMap",It.state.pointShadowMap,Le)),z.isSkinnedMesh){We.setOptional(N,z,"bindMatrix"),We.setOptional(N,z,"bindMatrixInverse");const ot=z.skeleton;ot&&(ot.boneTexture===null&&ot.computeBoneTexture(),We.setValue(N,"boneTexture",ot.boneTexture,Le))}z.isBatchedMesh&&(We.setOptional(N,z,"batchingTexture"),We.setValue(N,"batchingTexture",z._matricesTexture,Le),We.setOptional(N,z,"batchingIdTexture"),We.setValue(N,"batchingIdTexture",z._indirectTexture,Le),We.setOptional(N,z,"batchingColorTexture"),z._colorsTexture!==null&&We.setValue(N,"batchingColorTexture",z._colorsTexture,Le));const rn=H.morphAttributes;if((rn.position!==void 0||rn.normal!==void 0||rn.color!==void 0)&&J.update(z,H,Pt),(kn||Me.receiveShadow!==z.receiveShadow)&&(Me.receiveShadow=z.receiveShadow,We.setValue(N,"receiveShadow",z.receiveShadow)),(O.isMeshStandardMaterial||O.isMeshLambertMaterial||O.isMeshPhongMaterial)&&O.envMap===null&&L.environment!==null&&(At.envMapIntensity.value=L.environmentIntensity),At.dfgLUT!==void 0&&(At.dfgLUT.value=Cv()),kn){if(We.setValue(N,"toneMappingExposure",P.toneMappingExposure),Me.needsLights&&jh(At,ri),he&&O.fog===!0&&se.refreshFogUniforms(At,he),se.refreshMaterialUniforms(At,O,ge,Ae,R.state.transmissionRenderTarget[M.id]),Me.needsLights&&Me.numLightProbeGrids>0){const ot=y;let Et=0;for(const En of R.state.lightProbeGridArray)En.texture!==null&&(ot.textures[Et]=En.texture,ot.min[Et]=En.boundingBox.min,ot.max[Et]=En.boundingBox.max,ot.resolution[Et]=En.resolution,Et++);for(const En in ot)ot[En].length=Et;At.probesSH.value=ot.textures,At.probesMin.value=ot.min,At.probesMax.value=ot.max,At.probesResolution.value=ot.resolution}ss.upload(N,yl(Me),At,Le)}if(O.isShaderMaterial&&O.uniformsNeedUpdate===!0&&(ss.upload(N,yl(Me),At,Le),O.uniformsNeedUpdate=!1),O.isSpriteMaterial&&We.setValue(N,"center",z.center),We.setValue(N,"modelViewMatrix",z.modelViewMatrix),We.setValue(N,"normalMatrix",z.normalMatrix),We.setValue(N,"modelMatrix",z.matrixWorld),O.uniformsGroups!==void 0){const ot=O.uniformsGroups;for(let Et=0,En=ot.length;Et<En;Et++){const wl=ot[Et];be.update(wl,Pt),be.bind(wl,Pt)}}return Pt}function jh(M,L){M.ambientLightColor.needsUpdate=L,M.lightProbe.needsUpdate=L,M.sunLights.needsUpdate=L,M.sunLightShadows.needsUpdate=L,M.directionalLights.needsUpdate=L,M.directionalLightShadows.needsUpdate=L,M.pointLights.needsUpdate=L,M.pointLightShadows.needsUpdate=L,M.spotLights.needsUpdate=L,M.spotLightShadows.needsUpdate=L,M.rectAreaLights.needsUpdate=L,M.hemisphereLights.needsUpdate=L}function ed(M){return M.isMeshLambertMaterial||M.isMeshToonMaterial||M.isMeshPhongMaterial||M.isMeshStandardMaterial||M.isShadowMaterial||M.isShaderMaterial&&M.lights===!0}this.getActiveCubeFace=function(){return K},this.getActiveMipmapLevel=function(){return k},this.getRenderTarget=function(){return te},this.setRenderTargetTextures=function(M,L,H){const O=Re.get(M);O.__autoAllocateDepthBuffer=M.resolveDepthBuffer===!1,O.__autoAllocateDepthBuffer===!1&&(O.__useRenderToTexture=!1),Re.get(M.texture).__webglTexture=L,Re.get(M.depthTexture).__webglTexture=O.__autoAllocateDepthBuffer?void 0:H,O.__hasExternalTextures=!0},this.setRenderTargetFramebuffer=function(M,L){const H=Re.get(M);H.__webglFramebuffer=L,H.__useDefaultFramebuffer=L===void 0},this.setRenderTarget=function(M,L=0,H=0){te=M,K=L,k=H;let O=null,z=!1,he=!1;if(M){const ce=Re.get(M);if(ce.__useDefaultFramebuffer!==void 0){de.bindFramebuffer(N.FRAMEBUFFER,ce.__webglFramebuffer),ee.copy(M.viewport),ye.copy(M.scissor),Ie=M.scissorTest,de.viewport(ee),de.scissor(ye),de.setScissorTest(Ie),X=-1;return}else if(ce.__webglFramebuffer===void 0)Le.setupRenderTarget(M);else if(ce.__hasExternalTextures)Le.rebindTextures(M,Re.get(M.texture).__webglTexture,Re.get(M.depthTexture).__webglTexture);else if(M.depthBuffer){const Ne=M.depthTexture;if(ce.__boundDepthTexture!==Ne){if(Ne!==null&&Re.has(Ne)&&(M.width!==Ne.image.width||M.height!==Ne.image.height))throw new Error("THREE.WebGLRenderer: Attached DepthTexture is initialized to the incorrect size.");Le.setupDepthRenderbuffer(M)}}const _e=M.texture;(_e.isData3DTexture||_e.isDataArrayTexture||_e.isCompressedArrayTexture)&&(he=!0);const Ee=Re.get(M).__webglFramebuffer;M.isWebGLCubeRenderTarget?(Array.isArray(Ee[L])?O=Ee[L][H]:O=Ee[L],z=!0):M.samples>0&&Le.useMultisampledRTT(M)===!1?O=Re.get(M).__webglMultisampledFramebuffer:Array.isArray(Ee)?O=Ee[H]:O=Ee,ee.copy(M.viewport),ye.copy(M.scissor),Ie=M.scissorTest}else ee.copy(Ce).multiplyScalar(ge).floor(),ye.copy(Ke).multiplyScalar(ge).floor(),Ie=Qe;if(H!==0&&(O=W),de.bindFramebuffer(N.FRAMEBUFFER,O)&&de.drawBuffers(M,O),de.viewport(ee),de.scissor(ye),de.setScissorTest(Ie),z){const ce=Re.get(M.texture);N.framebufferTexture2D(N.FRAMEBUFFER,N.COLOR_ATTACHMENT0,N.TEXTURE_CUBE_MAP_POSITIVE_X+L,ce.__webglTexture,H)}else if(he){const ce=L;for(let _e=0;_e<M.textures.length;_e++){const Ee=Re.get(M.textures[_e]);N.framebufferTextureLayer(N.FRAMEBUFFER,N.COLOR_ATTACHMENT0+_e,Ee.__webglTexture,H,ce)}}else if(M!==null&&H!==0){const ce=Re.get(M.texture);N.framebufferTexture2D(N.FRAMEBUFFER,N.COLOR_ATTACHMENT0,N.TEXTURE_2D,ce.__webglTexture,H)}X=-1};function bl(M){const L=Re.get(M);return(L.__readFormat!==M.format||L.__readType!==M.type)&&(L.__readFormat=M.format,L.__readType=M.type,L.__formatReadable=st.textureFormatReadable(M.format),L.__typeReadable=st.textureTypeReadable(M.type)),L}this.readRenderTargetPixels=function(M,L,H,O,z,he,ve,ce=0){if(!(M&&M.isWebGLRenderTarget)){qe("WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");return}let _e=Re.get(M).__webglFramebuffer;if(M.isWebGLCubeRenderTarget&&ve!==void 0&&(_e=_e[ve],Array.isArray(_e)&&(_e=_e[0])),_e){de.bindFramebuffer(N.FRAMEBUFFER,_e);try{const Ee=M.textures[ce],Ne=Ee.format,ze=Ee.type;M.textures.length>1&&N.readBuffer(N.COLOR_ATTACHMENT0+ce);const Se=bl(Ee);if(Se.__formatReadable===!1){qe("WebGLRenderer.readRenderTargetPixels: renderTarget is not in RGBA or implementation defined format.");return}if(Se.__typeReadable===!1){qe("WebGLRenderer.readRenderTargetPixels: renderTarget is not in UnsignedByteType or implementation defined type.");return}L>=0&&L<=M.width-O&&H>=0&&H<=M.height-z&&N.readPixels(L,H,O,z,re.convert(Ne),re.convert(ze),he)}finally{const Ee=te!==null?Re.get(te).__webglFramebuffer:null;de.bindFramebuffer(N.FRAMEBUFFER,Ee)}}},this.readRenderTargetPixelsAsync=async function(M,L,H,O,z,he,ve,ce=0){if(!(M&&M.isWebGLRenderTarget))throw new Error("THREE.WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");let _e=Re.get(M).__webglFramebuffer;if(M.isWebGLCubeRenderTarget&&ve!==void 0&&(_e=_e[ve],Array.isArray(_e)&&(_e=_e[0])),_e)if(L>=0&&L<=M.width-O&&H>=0&&H<=M.height-z){de.bindFramebuffer(N.FRAMEBUFFER,_e);const Ee=M.textures[ce],Ne=Ee.format,ze=Ee.type;M.textures.length>1&&N.readBuffer(N.COLOR_ATTACHMENT0+ce);const Se=bl(Ee);if(Se.__formatReadable===!1)throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in RGBA or implementation defined format.");if(Se.__typeReadable===!1)throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in UnsignedByteType or implementation defined type.");const Ge=N.createBuffer();N.bindBuffer(N.PIXEL_PACK_BUFFER,Ge),N.bufferData(N.PIXEL_PACK_BUFFER,he.byteLength,N.STREAM_READ),N.readPixels(L,H,O,z,re.convert(Ne),re.convert(ze),0),N.bindBuffer(N.PIXEL_PACK_BUFFER,null);const pt=te!==null?Re.get(te).__webglFramebuffer:null;de.bindFramebuffer(N.FRAMEBUFFER,pt);const nt=N.fenceSync(N.SYNC_GPU_COMMANDS_COMPLETE,0);return N.flush(),await Zf(N,nt,4),N.bindBuffer(N.PIXEL_PACK_BUFFER,Ge),N.getBufferSubData(N.PIXEL_PACK_BUFFER,0,he),N.bindBuffer(N.PIXEL_PACK_BUFFER,null),N.deleteBuffer(Ge),N.deleteSync(nt),he}else throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: requested read bounds are out of range.")},this.copyFramebufferToTexture=function(M,L=null,H=0){const O=Math.pow(2,-H),z=Math.floor(M.image.width*O),he=Math.floor(M.image.height*O),ve=L!==null?L.x:0,ce=L!==null?L.y:0;Le.setTexture2D(M,0),N.copyTexSubImage2D(N.TEXTURE_2D,H,0,0,ve,ce,z,he),de.unbindTexture()},this.copyTextureToTexture=function(M,L,H=null,O=null,z=0,he=0){let ve,ce,_e,Ee,Ne,ze,Se,Ge,pt;const nt=M.isCompressedTexture?M.mipmaps[he]:M.image;if(H!==null)ve=H.max.x-H.min.x,ce=H.max.y-H.min.y,_e=H.isBox3?H.max.z-H.min.z:1,Ee=H.min.x,Ne=H.min.y,ze=H.isBox3?H.min.z:0;else{const We=Math.pow(2,-z);ve=Math.floor(nt.width*We),ce=Math.floor(nt.height*We),M.isDataArrayTexture?_e=nt.depth:M.isData3DTexture?_e=Math.floor(nt.depth*We):_e=1,Ee=0,Ne=0,ze=0}O!==null?(Se=O.x,Ge=O.y,pt=O.z):(Se=0,Ge=0,pt=0);const je=re.convert(L.format),Ct=re.convert(L.type);let Me;L.isData3DTexture?(Le.setTexture3D(L,0),Me=N.TEXTURE_3D):L.isDataArrayTexture||L.isCompressedArrayTexture?(Le.setTexture2DArray(L,0),Me=N.TEXTURE_2D_ARRAY):(Le.setTexture2D(L,0),Me=N.TEXTURE_2D),de.activeTexture(N.TEXTURE0),de.pixelStorei(N.UNPACK_FLIP_Y_WEBGL,L.flipY),de.pixelStorei(N.UNPACK_PREMULTIPLY_ALPHA_WEBGL,L.premultiplyAlpha),de.pixelStorei(N.UNPACK_ALIGNMENT,L.unpackAlignment);const It=de.getParameter(N.UNPACK_ROW_LENGTH),$e=de.getParameter(N.UNPACK_IMAGE_HEIGHT),ii=de.getParameter(N.UNPACK_SKIP_PIXELS),Pt=de.getParameter(N.UNPACK_SKIP_ROWS),_r=de.getParameter(N.UNPACK_SKIP_IMAGES);de.pixelStorei(N.UNPACK_ROW_LENGTH,nt.width),de.pixelStorei(N.UNPACK_IMAGE_HEIGHT,nt.height),de.pixelStorei(N.UNPACK_SKIP_PIXELS,Ee),de.pixelStorei(N.UNPACK_SKIP_ROWS,Ne),de.pixelStorei(N.UNPACK_SKIP_IMAGES,ze);const kn=M.isDataArrayTexture||M.isData3DTexture,ri=L.isDataArrayTexture||L.isData3DTexture;if(M.isDepthTexture){const We=Re.get(M),At=Re.get(L),rn=Re.get(We.__renderTarget),ot=Re.get(At.__renderTarget);de.bindFramebuffer(N.READ_FRAMEBUFFER,rn.__webglFramebuffer),de.bindFramebuffer(N.DRAW_FRAMEBUFFER,ot.__webglFramebuffer);for(let Et=0;Et<_e;Et++)kn&&(N.framebufferTextureLayer(N.READ_FRAMEBUFFER,N.COLOR_ATTACHMENT0,Re.get(M).__webglTexture,z,ze+Et),N.framebufferTextureLayer(N.DRAW_FRAMEBUFFER,N.COLOR_ATTACHMENT0,Re.get(L).__webglTexture,he,pt+Et)),N.blitFramebuffer(Ee,Ne,Ee+ve,Ne+ce,Se,Ge,Se+ve,Ge+ce,N.DEPTH_BUFFER_BIT,N.NEAREST);de.bindFramebuffer(N.READ_FRAMEBUFFER,null),de.bindFramebuffer(N.DRAW_FRAMEBUFFER,null)}else if(z!==0||M.isRenderTargetTexture||Re.has(M)){const We=Re.get(M),At=Re.get(L);de.bindFramebuffer(N.READ_FRAMEBUFFER,I),de.bindFramebuffer(N.DRAW_FRAMEBUFFER,F);for(let rn=0;rn<_e;rn++)kn?N.framebufferTextureLayer(N.READ_FRAMEBUFFER,N.COLOR_ATTACHMENT0,We.__webglTexture,z,ze+rn):N.framebufferTexture2D(N.READ_FRAMEBUFFER,N.COLOR_ATTACHMENT0,N.TEXTURE_2D,We.__webglTexture,z),ri?N.framebufferTextureLayer(N.DRAW_FRAMEBUFFER,N.COLOR_ATTACHMENT0,At.__webglTexture,he,pt+rn):N.framebufferTexture2D(N.DRAW_FRAMEBUFFER,N.COLOR_ATTACHMENT0,N.TEXTURE_2D,At.__webglTexture,he),z!==0?N.blitFramebuffer(Ee,Ne,Ee+ve,Ne+ce,Se,Ge,Se+ve,Ge+ce,N.COLOR_BUFFER_BIT,N.NEAREST):ri?N.copyTexSubImage3D(Me,he,Se,Ge,pt+rn,Ee,Ne,ve,ce):N.copyTexSubImage2D(Me,he,Se,Ge,Ee,Ne,ve,ce);de.bindFramebuffer(N.READ_FRAMEBUFFER,null),de.bindFramebuffer(N.DRAW_FRAMEBUFFER,null)}else ri?M.isDataTexture||M.isData3DTexture?N.texSubImage3D(Me,he,Se,Ge,pt,ve,ce,_e,je,Ct,nt.data):L.isCompressedArrayTexture?N.compressedTexSubImage3D(Me,he,Se,Ge,pt,ve,ce,_e,je,nt.data):N.texSubImage3D(Me,he,Se,Ge,pt,ve,ce,_e,je,Ct,nt):M.isDataTexture?N.texSubImage2D(N.TEXTURE_2D,he,Se,Ge,ve,ce,je,Ct,nt.data):M.isCompressedTexture?N.compressedTexSubImage2D(N.TEXTURE_2D,he,Se,Ge,nt.width,nt.height,je,nt.data):N.texSubImage2D(N.TEXTURE_2D,he,Se,Ge,ve,ce,je,Ct,nt);de.pixelStorei(N.UNPACK_ROW_LENGTH,It),de.pixelStorei(N.UNPACK_IMAGE_HEIGHT,$e),de.pixelStorei(N.UNPACK_SKIP_PIXELS,ii),de.pixelStorei(N.UNPACK_SKIP_ROWS,Pt),de.pixelStorei(N.UNPACK_SKIP_IMAGES,_r),he===0&&L.generateMipmaps===!0&&L.mipmapsAutoUpdate===!0&&N.generateMipmap(Me),de.unbindTexture()},this.initRenderTarget=function(M){Re.get(M).__webglFramebuffer===void 0&&Le.setupRenderTarget(M)},this.initTexture=function(M){M.isCubeTexture?Le.setTextureCube(M,0):M.isData3DTexture?Le.setTexture3D(M,0):M.isDataArrayTexture||M.isCompressedArrayTexture?Le.setTexture2DArray(M,0):Le.setTexture2D(M,0),de.unbindTexture()},this.resetState=function(){K=0,k=0,te=null,de.reset(),ae.reset()},typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}get coordinateSystem(){return un}get outputColorSpace(){return this._outputColorSpace}set outputColorSpace(e){this._outputColorSpace=e;const t=this.getContext();t.drawingBufferColorSpace=Ve._getDrawingBufferColorSpace(e),t.unpackColorSpace=Ve._getUnpackColorSpace()}}function Lv(n){const e=n.getContext("webgl2",{alpha:!0,antialias:!1,depth:!1,preserveDrawingBuffer:!0});if(e===null)throw new Error("this browser has no WebGL 2");if(e.getExtension("EXT_color_buffer_float")===null)throw new Error("this browser's WebGL 2 does not draw into floats");const t=new Pv({canvas:n,context:e});return t.autoClear=!1,t.sortObjects=!1,t.setClearColor(0,0),t.outputColorSpace=cr,t.debug.onShaderError=(i,r,s,a)=>{const o=[i.getProgramInfoLog(r)];throw o.push(i.getShaderInfoLog(s),i.getShaderInfoLog(a)),new Error(`shader: ${o.join(`
+`)}`)},t}const Gc=new al;class bs{constructor(e,t,i,{adds:r=!1,depth:s=!1}={}){this.renderer=e,this.scene=new pp,this.compiled=!1,this.fault=null;const a=new Ph({glslVersion:_o,vertexShader:t,fragmentShader:i,side:_n,depthTest:s,depthWrite:s,depthFunc:ms,blending:r?ju:ui,blendSrc:Da,blendDst:Da});this.mesh=new ei(new On,a),this.mesh.geometry.setDrawRange(0,3),this.mesh.frustumCulled=!1,this.scene.add(this.mesh),this.scene.matrixWorldAutoUpdate=!1,e.compileAsync(this.scene,Gc).then(()=>this.compiled=!0,o=>this.fault=o)}ready(){if(this.fault!==null)throw this.fault;return this.compiled}setMesh({positions:e,normals:t,indices:i}){const r=new On;r.setAttribute("position",new Mn(e,3)),r.setAttribute("normal",new Mn(t,3)),r.setIndex(new Mn(i,1)),this.mesh.geometry.dispose(),this.mesh.geometry=r}set(e){const{uniforms:t}=this.mesh.material;for(const[i,r]of Object.entries(e)){const s=t[i];s===void 0?t[i]={value:r}:s.value=r}}draw(e,t){e!==null&&(e.scissorTest=t!==void 0,t!==void 0&&e.scissor.set(0,t[0],e.width,t[1])),this.renderer.setRenderTarget(e),this.renderer.render(this.scene,Gc)}}function Eo(n,e,t,i,{count:r=1,depth:s=!1}={}){const a=new hn(e,t,{count:r,type:i,minFilter:gt,magFilter:gt,depthBuffer:s});return as(n,a),a}function as(n,e){e.scissorTest=!1,n.setRenderTarget(e),n.clear(!0,e.depthBuffer,!1)}function Hc(n,e,t,i,{linear:r=!1,repeat:s=!1}={}){const[a=1,o=1,l]=t;if(n instanceof So||n instanceof xo){const{image:u}=n,p="depth"in u?u.depth:void 0;if(u.width===a&&u.height===o&&p===l)return u.data=i,n.needsUpdate=!0,n}n?.dispose();const c=l===void 0?new So(i,a,o):new xo(i,a,o,l);return c.format=e==="r32f"?Qo:cn,c.internalFormat=e==="r32f"?"R32F":"RGBA16F",c.type=i instanceof Uint16Array?qt:zt,c.minFilter=c.magFilter=r?Ut:gt,c.wrapS=s?gs:vn,c.needsUpdate=!0,c}const hi=Math.PI/180,ws=(n,e)=>[n[0]+e[0],n[1]+e[1],n[2]+e[2]],Dv=(n,e)=>[n[0]-e[0],n[1]-e[1],n[2]-e[2]],xn=(n,e)=>[n*e[0],n*e[1],n*e[2]],Vc=(n,e)=>[n[1]*e[2]-n[2]*e[1],n[2]*e[0]-n[0]*e[2],n[0]*e[1]-n[1]*e[0]],Iv=n=>xn(1/Math.hypot(...n),n);function Hh(n,e){const t=new Float32Array(16);for(let i=0;i<4;++i)for(let r=0;r<4;++r){let s=0;for(let a=0;a<4;++a)s+=n[4*a+r]*e[4*i+a];t[4*i+r]=s}return t}function os(n,e){const t=Bs(1),[i,r]=[Math.cos(e*hi),Math.sin(e*hi)],[s,a]=[(n+1)%3,(n+2)%3];return t[5*s]=t[5*a]=i,t[4*s+a]=r,t[4*a+s]=-r,t}function Bs(n){return new Float32Array([n,0,0,0,0,n,0,0,0,0,n,0,0,0,0,1])}function bo(n){const e=Bs(1);return e.set(n,12),e}function Vh(n,e,t){const[i,r,s]=n.rotation_deg;return[Uv(t,e),bo(n.translation_mm),os(2,s),os(1,r),os(0,i),Bs(n.scale)].reduce(Hh)}function Nv(n){const e=Bs(1);for(let t=0;t<3;++t){let i=0;for(let r=0;r<3;++r){const s=n[4*t+r];e[4*r+t]=s,i-=s*n[12+r]}e[12+t]=i}return e}function Uv(n,e){return[bo(n),os(2,e),bo(xn(-1,n))].reduce(Hh)}function er(n,e){const[t,i]=[Math.cos(e*hi),Math.sin(e*hi)];return[t*n[0]-i*n[1],i*n[0]+t*n[1],n[2]]}const Fv=(n,e,t)=>ws(t,er(Dv(n,t),e));function Ov(n,e){const[t,i]=[n.azimuth_deg*hi,n.elevation_deg*hi],r=[Math.cos(i)*Math.cos(t),Math.cos(i)*Math.sin(t),Math.sin(i)],s=xn(-1,r),a=Iv(Vc(s,[0,0,1])),o=Math.tan(.5*n.fov_deg*hi);return{place:ws(n.target_mm,xn(n.distance_mm,r)),ahead:s,across:xn(o*e,a),upwards:xn(o,Vc(a,s))}}function Bv(n,e,t){const[i,r]=[.1*e,10*e],s=[n.across,n.upwards].map(_=>xn(1/(_[0]**2+_[1]**2+_[2]**2),_)),[a,o]=s,{ahead:l,place:c}=n,u=(r+i)/(r-i),p=(_,S)=>_[0]*S[0]+_[1]*S[1]+_[2]*S[2],h=new Float32Array(16),d=(_,S,m)=>{for(let f=0;f<3;++f)h[4*f+_]=S[f];h[12+_]=m-p(S,c)};return d(0,ws(a,xn(t[0],l)),0),d(1,ws(o,xn(t[1],l)),0),d(2,xn(u,l),-2*r*i/(r-i)),d(3,l,0),h}const Ui=16,Wc=4,Ma=Math.sqrt(Ui),ya=n=>n<.5?Math.sqrt(2*n)-1:1-Math.sqrt(Math.max(2-2*n,0));function Xc(n,e){const[t,i]=[ya(n/Ma),ya((n+1)/Ma)],[r,s]=[.5*(t+i),i-t],a=.5*s/(1-Math.abs(r));return[ya((n+e)/Ma),r,s,r<0?a:-a]}function kv(n,e){if(!e)return{asks:!1,part:$c(n)};const t=n<Ui||n%Wc===0,i=Math.min(n,Ui)+Math.ceil(Math.max(n-Ui,0)/Wc);return{asks:t,part:$c(t?i:n-i)}}function $c(n){const[e,t]=[Math.floor(n/Ui),n%Ui],i=l=>t>>l&1,r=2*i(0)+i(2),s=2*(i(0)^i(1))+(i(2)^i(3)),a=Xc(r,(e*.7548776662+.5)%1),o=Xc(s,(e*.569840291+.5)%1);return{place:[a[0],o[0]],middle:[a[1],o[1]],size:[a[2],o[2]],tilt:[a[3],o[3]]}}function zv(n,e,t){return Nv(Vh({...n,scale:1},e,t))}function Gv(n,{middle:e,size:t,tilt:i},r,s){return{flakesShown:r?1:0,flakesAsked:s?1:0,toRest:n,partMiddle:e,partSize:t,partTilt:i}}const Hv=`
 #ifdef NACRE_FLAKES
 uniform bool flakesShown;
 uniform bool flakesAsked;
@@ -51,15 +4324,15 @@ const bool flakesAsked = false;
 vec3 shadedFlakes(vec3 place, mat3 toWorld, vec3 wi, vec3 towardsSun) { return vec3(0.); }
 void nacreWithoutSunlit() {}
 #endif
-`,ie=4,tt=`
+`,Kn=4,ks=`
 precision highp float;
 precision highp int;
 precision highp sampler2D;
 #define PI 3.141592653589793
-`,wt=`
+`,wo=`
 void main() {
     gl_Position = vec4(gl_VertexID == 1 ? 3. : -1., gl_VertexID == 2 ? 3. : -1., 0., 1.);
-}`,li=`
+}`,Vv=`
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 uniform mat4 toWorld;
@@ -71,7 +4344,7 @@ void main() {
     place = world.xyz;
     facing = mat3(toWorld) * normal;
     gl_Position = toScreen * world;
-}`,ci=`${tt}
+}`,Wv=`${ks}
 in vec3 place;
 in vec3 facing;
 layout(location = 0) out vec4 placeAt;
@@ -79,8 +4352,8 @@ layout(location = 1) out vec4 facingAt;
 void main() {
     placeAt = vec4(place, 1.);
     facingAt = vec4(normalize(facing), 0.);
-}`;function ui(t,e){return`${tt}
-${t}
+}`;function Xv(n,e){return`${ks}
+${n}
 uniform sampler2D placeAt;
 uniform sampler2D facingAt;
 uniform sampler2D surroundings;
@@ -90,11 +4363,11 @@ uniform float azimuth;           // of the middle of the surroundings
 uniform vec4 sun;                // towards it, and the cosine of its radius; 2: there is none
 uniform vec3 sunRadiance;
 uniform int rectangleCount;
-uniform vec3 corner[${String(ie)}];
-uniform vec3 edgeU[${String(ie)}];
-uniform vec3 edgeV[${String(ie)}];
-uniform vec3 rectangleNormal[${String(ie)}];
-uniform vec3 rectangleRadiance[${String(ie)}];
+uniform vec3 corner[${String(Kn)}];
+uniform vec3 edgeU[${String(Kn)}];
+uniform vec3 edgeV[${String(Kn)}];
+uniform vec3 rectangleNormal[${String(Kn)}];
+uniform vec3 rectangleRadiance[${String(Kn)}];
 uniform vec3 eye;
 uniform vec3 ahead;              // to the middle of the picture, and half its width and height
 uniform vec3 across;
@@ -192,7 +4465,7 @@ float densityOfPaint(vec3 wi, vec3 wo) {
     for (int k = 0; k < count; ++k) sum += nacreDensity(k, wi, wo);
     return EVEN * wo.z / PI + (1. - EVEN) / float(count) * sum;
 }
-${ai}
+${Hv}
 vec3 shaded(vec3 place, vec3 n, vec3 view, out vec3 ofFlakes) {
     vec3 t = normalize(abs(n.x) < .9 ? cross(n, vec3(1., 0., 0.)) : cross(n, vec3(0., 1., 0.)));
     mat3 toWorld = mat3(t, cross(n, t), n);
@@ -263,13 +4536,13 @@ void main() {
     // What is not finite would stay for good.
     light = vec4(dot(value, value) < 1e12 ? value : vec3(0.), 1.);
     flakes = vec4(dot(ofFlakes, ofFlakes) < 1e12 ? ofFlakes : vec3(0.), flakesAsked ? 1. : 0.);
-}`.replaceAll("0x1p-24_","5.9604644775390625e-8")}const Ms=`
+}`.replaceAll("0x1p-24_","5.9604644775390625e-8")}const Wh=`
 vec4 mean(vec4 sum) { return sum.a > 0. ? vec4(sum.rgb / sum.a, 1.) : vec4(0.); }
 float brightness(vec3 light) { return max(dot(light, vec3(.2126, .7152, .0722)), 0.); }
 vec3 lightOf(sampler2D sums, sampler2D flakes, ivec2 pixel) {
     return mean(texelFetch(sums, pixel, 0)).rgb + mean(texelFetch(flakes, pixel, 0)).rgb;
 }
-`,hi=`${tt}${Ms}
+`,$v=`${ks}${Wh}
 uniform sampler2D before;
 uniform sampler2D beforeFlakes;
 uniform vec2 size;
@@ -283,7 +4556,7 @@ void main() {
         sum += vec4(lightOf(before, beforeFlakes, ivec2(x, y)), 1.);
     }
     around = mean(sum);
-}`,di=`${tt}${Ms}
+}`,qv=`${ks}${Wh}
 uniform sampler2D whole;
 uniform sampler2D wholeFlakes;
 uniform sampler2D coarse;
@@ -333,5 +4606,5 @@ void main() {
     bool stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 12.) < 4.;
     if (warn && stripe && lowest < -.002 - .01 * scale) encoded = vec3(.5);
     seen = known ? vec4(encoded, 1.) : vec4(0.);
-}`,fi=4,pi=16;function vn(t){const e=["nacreField","nacreFieldLevels","nacreFieldKey"].map(n=>t.uniforms.find(s=>s.name===n)?.values);return JSON.stringify(e.map(n=>Array.from(n??[])))}class mi{constructor(e,n){this.gl=e,this.nothing=n,this.before=null,this.glitters=!1,this.program=pe.begin(e,wt,di),this.average=pe.begin(e,wt,hi)}ready(){return this.program.ready()&&this.average.ready()}changePaint(e,n,s,r){let i=e;return n?.flakes===!0&&e.samples>=pi&&(i=this.before?.sums??r(),this.before?.means?.delete(),this.before={sums:e,flakes:vn(n),means:null}),this.glitters=s.flakes&&this.before?.flakes===vn(s),i}forget(){this.glitters=!1,this.before?.sums.delete(),this.before?.means?.delete(),this.before=null}draw(e,n,s){const{gl:r}=this,i=n!==null&&n.samples>0,o=this.glitters&&i?this.before:null,a={whole:e.target,coarse:(n??e).target,before:(o?.sums??e).target,beforeMeans:o===null?e.target:this.meansOf(o,n)},c=this.program.use();let u=0;for(const[h,{textures:p}]of Object.entries(a))(h==="whole"||h==="before"?[h,`${h}Flakes`]:[h]).forEach((f,m)=>{r.activeTexture(r.TEXTURE0+u),r.bindTexture(r.TEXTURE_2D,p[m]),c.int(f,u++)});c.floats("size",2,[r.drawingBufferWidth,r.drawingBufferHeight]),c.floats("enough",1,[i?fi:0]),c.int("glitters",o===null?0:1),c.int("warn",s?1:0),r.bindFramebuffer(r.FRAMEBUFFER,null),r.viewport(0,0,r.drawingBufferWidth,r.drawingBufferHeight),r.bindVertexArray(this.nothing),r.drawArrays(r.TRIANGLES,0,3)}meansOf(e,n){const{gl:s}=this,{width:r,height:i}=n.target;if(e.means?.width===r&&e.means.height===i)return e.means;e.means?.delete(),e.means=new _t(s,r,i,[s.RGBA16F],!1);const o=this.average.use();return[...e.sums.target.textures].forEach((a,c)=>{s.activeTexture(s.TEXTURE0+c),s.bindTexture(s.TEXTURE_2D,a),o.int(["before","beforeFlakes"][c],c)}),o.floats("size",2,[r,i]),e.means.bind(),s.bindVertexArray(this.nothing),s.drawArrays(s.TRIANGLES,0,3),e.means}}function gi(t,e,n,s){const{sun:r,rectangles:i,azimuth_deg:o}=e,a=Math.PI/180;t.floats("azimuth",1,[(o+n)*a]);const c=r?ve(r.direction,n):[0,0,1],u=r?Math.cos(r.angular_radius_deg*a):2;if(t.floats("sun",4,[...c,u]),t.floats("sunRadiance",3,r?.rgb??[0,0,0]),t.int("rectangleCount",i.length),i.length===0)return;const h=(p,d)=>{t.floats(`${p}[0]`,3,i.flatMap(d))};h("corner",p=>ti(p.corner,n,s)),h("edgeU",p=>ve(p.edge_u,n)),h("edgeV",p=>ve(p.edge_v,n)),h("rectangleNormal",p=>ve(p.normal,n)),h("rectangleRadiance",p=>p.rgb)}class _i{constructor(e,n,s,r){this.samples=0,this.rows=0,this.target=new _t(e,n,s,[r,r],!1),this.shape=new _t(e,n,s,[e.RGBA32F,e.RGBA32F],!0)}added(e){this.rows+=e,!(this.rows<this.target.height)&&(this.rows=0,++this.samples)}delete(){this.target.delete(),this.shape.delete()}}const vi=65504;function wi(t){const{width:e,height:n,rgb:s}=t,r=new Float32Array(4*e*n),i=new Float32Array(e*n);for(let h=0;h<e*n;++h){const[p,d,f]=[0,1,2].map(m=>Math.min(s[3*h+m],vi));r.set([p,d,f,1],4*h),i[h]=Math.max(.2126*p+.7152*d+.0722*f,0)}const o=new Float32Array(e*n),a=new Float32Array(n),c=new Float64Array(e);let u=0;for(let h=0;h<n;++h){let p=0;for(let d=0;d<e;++d){let f=1e-9;for(let m=Math.max(h-1,0);m<=Math.min(h+1,n-1);++m)for(const g of[d-1+e,d,d+1])f+=i[m*e+g%e];c[d]=p+=f}for(let d=0;d<e;++d)o[h*e+d]=c[d]/p;u+=p*(Math.cos(Math.PI*h/n)-Math.cos(Math.PI*(h+1)/n)),a[h]=u}for(let h=0;h<n;++h)a[h]=a[h]/u;return{width:e,height:n,picture:r,byColumn:o,byRow:a}}const yi=30,bi=4096,xi=24,ki=8,Si=6,Ei=1024;class Ti{constructor(e,n={}){this.canvas=e,this.options=n,this.programs=new Map,this.paintTextures=new Map,this.indices=0,this.transform=null,this.light=null,this.camera=null,this.turn_deg=0,this.lightTurn_deg=0,this.paint=null,this.nextPaint=null,this.warn=!1,this.sparkle=!0,this.whole=null,this.coarse=null,this.coarseness=3,this.speed=2e3,this.overhead_ms=16,this.frame_ms=0,this.underWay=null,this.request=0,this.dirty=!1,this.stopped=!1,this.held=!1,this.lost=!1,this.onLost=()=>{this.lost=!0,this.options.onFault?.("the graphics processor was lost")};const s=e.getContext("webgl2",{alpha:!0,antialias:!1,depth:!1,preserveDrawingBuffer:!0});if(s===null)throw new Error("this browser has no WebGL 2");if(s.getExtension("EXT_color_buffer_float")===null)throw new Error("this browser's WebGL 2 does not draw into floats");this.gl=s;const r=s.getExtension("EXT_float_blend")!==null;this.sumFormat=r?s.RGBA32F:s.RGBA16F,this.mostSamples=Math.min(n.samples??Ei,r?1e6:128),this.shapeProgram=pe.begin(s,li,ci),this.nothing=s.createVertexArray(),this.shown=new mi(s,this.nothing),this.arrays=s.createVertexArray(),this.buffers=[s.createBuffer(),s.createBuffer(),s.createBuffer()],this.lightTextures=[s.createTexture(),s.createTexture(),s.createTexture()],e.addEventListener("webglcontextlost",this.onLost)}setShape(e,n){Kr(this.gl,this.arrays,this.buffers,e),this.indices=e.indices.length,this.transform=n,this.restart()}setLight(e){if(e.rectangles.length>ie)throw new Error(`a light of ${String(e.rectangles.length)} rectangles: must be at most ${String(ie)}`);const{gl:n}=this,{width:s,height:r,picture:i,byColumn:o,byRow:a}=wi(e),[c,u,h]=this.lightTextures;n.activeTexture(n.TEXTURE0),Ae(n,c,"rgba16f",[s,r],i,{linear:!0,repeat:!0}),Ae(n,u,"r32f",[s,r],o),Ae(n,h,"r32f",[r,1],a),this.light=e,this.restart()}setPaint(e){this.programs.has(e.program)||this.programs.set(e.program,pe.begin(this.gl,wt,ui(e.glsl,e.smoothCoat))),this.nextPaint=e,this.schedule()}setCamera(e){const n=JSON.stringify(e)===JSON.stringify(this.camera);this.camera=e,n||this.restart()}turn(e,n){const s=e==="shape"?this.turn_deg:this.lightTurn_deg;n!==s&&(e==="shape"?this.turn_deg=n:this.lightTurn_deg=n,this.restart())}setGamutWarning(e){this.warn=e,this.dirty=!0,this.schedule()}setSparkle(e){e!==this.sparkle&&(this.sparkle=e,this.restart())}resize(e,n){this.canvas.width===e&&this.canvas.height===n&&this.whole||(this.canvas.width=Math.max(1,e),this.canvas.height=Math.max(1,n),this.whole?.delete(),this.whole=this.make(1),this.coarse?.delete(),this.coarse=null,this.restart())}get state(){return{samples:this.whole?.samples??0,compiling:this.nextPaint!==null,frame_ms:this.frame_ms,coarseness:this.coarseness}}pixels(){const{gl:e,whole:n}=this;if(!n)throw new Error("the picture has no size yet");const{width:s,height:r}=n.target,i=Yr(e,n.target);return{width:s,height:r,data:i}}pause(){this.stopped=!0,cancelAnimationFrame(this.request),this.request=0}resume(){this.stopped=!1,this.dirty=!0,this.schedule()}hold(e){e!==this.held&&(this.held=e,e||this.schedule())}dispose(){this.pause(),this.canvas.removeEventListener("webglcontextlost",this.onLost),this.gl.getExtension("WEBGL_lose_context")?.loseContext()}restart(){this.shown.forget(),this.whole&&(this.whole.samples=this.whole.rows=0),this.coarse&&(this.coarse.samples=this.coarse.rows=0),this.dirty=!0,this.schedule()}schedule(){this.request!==0||this.stopped||this.lost||(this.request=requestAnimationFrame(()=>{this.request=0;try{this.frame()}catch(e){this.nextPaint=null,this.options.onFault?.(e instanceof Error?e.message:String(e))}}))}frame(){const{gl:e}=this;if(this.underWay!==null){const{sync:r,begun:i,work:o}=this.underWay;if(e.clientWaitSync(r,0,0)===e.TIMEOUT_EXPIRED){this.schedule();return}e.deleteSync(r),this.underWay=null,this.frame_ms=performance.now()-i,this.overhead_ms=Math.min(this.overhead_ms,this.frame_ms);const a=Math.max(this.frame_ms-this.overhead_ms,1);this.speed=.5*this.speed+.5*o/a}if(this.takePaint(),this.held&&!this.dirty){this.nextPaint!==null&&this.schedule();return}const n=performance.now(),s=this.draw();if((s>0||this.dirty)&&(this.display(),this.dirty=!1,this.options.onChange?.(this.state)),s>0){const r=e.fenceSync(e.SYNC_GPU_COMMANDS_COMPLETE,0);r!==null&&(this.underWay={sync:r,begun:n,work:s}),e.flush(),this.schedule()}else this.nextPaint!==null&&this.schedule()}takePaint(){const e=this.nextPaint;if(e===null||this.programs.get(e.program)?.ready()!==!0)return;const{gl:n}=this;this.nextPaint=null,this.whole&&(this.whole=this.shown.changePaint(this.whole,this.paint,e,()=>this.make(1))),this.paint=e;const s=this.programs.get(e.program).use();for(const{name:r,components:i,array:o,values:a}of e.uniforms)s.floats(o?`${r}[0]`:r,i,a);n.activeTexture(n.TEXTURE0);for(const{name:r,size:i,data:o}of e.textures){const a=i.length===3?n.TEXTURE_3D:n.TEXTURE_2D,c=this.paintTextures.get(r)??{texture:n.createTexture(),target:a};this.paintTextures.set(r,c),Ae(n,c.texture,"rgba16f",i,o,{linear:i.length===3})}this.whole&&(this.whole.samples=this.whole.rows=0),this.coarse&&(this.coarse.samples=this.coarse.rows=0),this.dirty=!0}draw(){const{whole:e}=this;if(!e||!this.transform||!this.light||!this.camera||!this.paint||!this.shapeProgram.ready()||!this.shown.ready())return 0;const n=e.target.width*e.target.height,s=Math.max(yi*this.speed,bi);if(n<=s)return this.add(e,Math.min(s,8*n));if(e.samples===0&&e.rows===0){e.target.clear();const i=Math.min(Math.ceil(Math.sqrt(n/s)),ki),o=this.coarseOf(i);if(o.samples===0)return this.add(o,n/i**2)}const{coarse:r}=this;return r&&r.samples>0&&r.samples<Math.min(xi,this.mostSamples)&&e.samples===0?this.add(r,s):this.add(e,s)}coarseOf(e){return(this.coarse===null||e>this.coarseness||e<.7*this.coarseness)&&(this.coarseness=e,this.coarse?.delete(),this.coarse=this.make(e)),this.coarse}make(e){const n=Math.max(1,Math.ceil(this.canvas.width/e)),s=Math.max(1,Math.ceil(this.canvas.height/e));return new _i(this.gl,n,s,this.sumFormat)}add(e,n){const{width:s,height:r}=e.target;e.samples===0&&e.rows===0&&e.target.clear();let i=0;for(;i<.75*n&&e.samples<this.mostSamples;){const o=this.sparkle&&e===this.whole&&this.paint?.flakes===!0,{asks:a,part:c}=ri(e.samples,o),u=a?Si*s:s,h=Math.max(1,Math.min(r-e.rows,Math.round((n-i)/u))),p=ni(this.camera,this.canvas.width/this.canvas.height);e.rows===0&&this.drawShape(e.shape,p,c.place),this.shade(e,p,c,h,o,a),i+=h*u,e.added(h)}return i}drawShape(e,n,s){const{gl:r}=this,i=this.camera;e.clear();const o=this.shapeProgram.use(),a=this.transform;o.matrix("toWorld",Ts(a,this.turn_deg,i.target_mm));const c=[-2*s[0]/e.width,-2*s[1]/e.height];o.matrix("toScreen",si(n,i.distance_mm,c)),r.disable(r.BLEND),r.enable(r.DEPTH_TEST),r.bindVertexArray(this.arrays),r.drawElements(r.TRIANGLES,this.indices,r.UNSIGNED_INT,0),r.bindVertexArray(this.nothing),r.disable(r.DEPTH_TEST)}shade(e,n,s,r,i,o){const{gl:a}=this,{target:c,shape:u}=e,h=this.paint,p=this.programs.get(h.program).use();let d=0;const f=(y,_,v=a.TEXTURE_2D)=>{a.activeTexture(a.TEXTURE0+d),a.bindTexture(v,_),p.int(y,d++)};for(const[y,{texture:_,target:v}]of this.paintTextures)f(y,_,v);["surroundings","byColumn","byRow"].forEach((y,_)=>{f(y,this.lightTextures[_])}),f("placeAt",u.textures[0]),f("facingAt",u.textures[1]);const g=this.camera;gi(p,this.light,this.lightTurn_deg,g.target_mm),p.floats("eye",3,n.place),p.floats("ahead",3,n.ahead),p.floats("across",3,n.across),p.floats("upwards",3,n.upwards),p.floats("size",2,[c.width,c.height]),p.floats("shift",2,s.place);const b=ii(this.transform,this.turn_deg,g.target_mm);oi(p,b,s,i,o),a.uniform1ui(p.at("sampleIndex"),e.samples),c.bind(),a.enable(a.SCISSOR_TEST),a.scissor(0,e.rows,c.width,r),a.enable(a.BLEND),a.blendFunc(a.ONE,a.ONE),a.bindVertexArray(this.nothing),a.drawArrays(a.TRIANGLES,0,3),a.disable(a.BLEND),a.disable(a.SCISSOR_TEST)}display(){this.whole&&this.shown.ready()&&this.shown.draw(this.whole,this.coarse,this.warn)}}const Mi=512;class Ai{constructor(e,n,s,r,i){this.canvas=e,this.schema=n,this.bytes=s,this.onFault=i,this.texts=new Map,this.meshes=new Map,this.lights=new Map,this.shape="",this.light="",this.view=new Ti(e,{onChange:({samples:o})=>{r(o)},onFault:i})}add(e,n,s){this.schema=e,n.mesh!==void 0&&this.meshes.set(s,Promise.resolve(n.mesh)),n.light!==void 0&&this.lights.set(s,Promise.resolve(n.light))}show(e,n,s){const r=this.schema.shapes.find(({name:o})=>o===e.shape);if(r===void 0||n*s===0)return;if(this.shape!==e.shape){this.shape=e.shape;const o=wn(this.meshes,e.shape,()=>this.bytes(`/api/shape/${encodeURIComponent(e.shape)}`).then(xs));this.when(o,a=>{this.shape===e.shape&&this.view.setShape(a,r.transform)})}if(this.light!==e.light){this.light=e.light;const o=wn(this.lights,e.light,()=>this.bytes(`/api/light/${encodeURIComponent(e.light)}?width=${String(Mi)}`).then(ks));this.when(o,a=>{this.light===e.light&&this.view.setLight(a)})}this.view.resize(n,s);const i=bs(e.camera,n,s);this.view.setCamera({...i,target_mm:r.camera.target_mm}),this.view.turn("shape",e.turn_deg),this.view.turn("light",e.light_turn_deg),this.view.setSparkle(e.sparkle)}setPaint(e,n){return e.problem!==void 0?!1:(this.view.setPaint(Hr(e,n,this.texts)),!0)}pause(e){e?this.view.pause():this.view.resume()}hold(e){this.view.hold(e)}setGamutWarning(e){this.view.setGamutWarning(e)}snapshot(){const{width:e,height:n}=this.canvas,s=document.createElement("canvas");s.width=e,s.height=n;const r=s.getContext("2d");if(r===null)return null;r.drawImage(this.canvas,0,0);const i=r.getImageData(0,0,e,n).data;return{width:e,height:n,pixels:i,samples:0,of:0}}when(e,n){e.then(n).catch(s=>{this.onFault(s instanceof Error?s.message:String(s))})}}function wn(t,e,n){const s=t.get(e)??n();return t.set(e,s),s.catch(()=>t.delete(e)),s}function As({picture:t,recipe:e,view:n}){return t!==null&&t.recipe===e&&t.view===n}function je(t){const{picture:e,liveSamples:n}=t;return e===null||n===null?e!==null:!t.gamutWarning&&As(t)&&e.samples>=t.enough}function $i({kept:t,keptRecipe:e,view:n}){return t!==null&&t.recipe===e&&t.view===n&&t.samples>=$s}const Fi=250,yn=64,$s=16,Ri=3,Ci=7e5,bn=16;class Li{constructor(e){this.session=e,this.store=new Lt({view:null,picture:null,keptRecipe:null,kept:null,fault:null,recipe:null,liveSamples:null,gamutWarning:!1,enough:bn}),this.live=null,this.size={width:0,height:0},this.meanModel="",this.withLines=new Set,this.underWay=null,this.quickWanted=!1,this.holders=new Set,this.postponed=!1}hold(e,n){n?this.holders.add(e):this.holders.delete(e),this.live?.hold(this.holders.has("colours")),n?this.underWay?.job.quick===!1&&(this.postponed=this.stop()):this.holders.size===0&&this.postponed&&this.startLater()}add(e,n,s){this.live?.add(e,n,s)}resize(e,n){e===this.size.width&&n===this.size.height||(this.size={width:e,height:n},this.store.get().liveSamples!==null&&this.store.set({picture:null}),this.refresh())}begin(e){this.meanModel=e.mean_model;for(const{name:s,illuminant:r}of e.lights)r.startsWith("FL")&&this.withLines.add(s);if(this.store.get().view!==null)return;const n=e.shapes.find(({name:s})=>s==="ball")??e.shapes[0];n!==void 0&&this.setShape(e,n.name,!0)}setShape(e,n,s){const r=e.shapes.find(o=>o.name===n);if(r===void 0)return;const{view:i}=this.store.get();this.store.set({view:{shape:n,light:i===null||s?r.light:i.light,camera:ys(r),turn_deg:0,light_turn_deg:i?.light_turn_deg??0,sparkle:i?.sparkle??!0}}),this.refresh()}setView(e){const{view:n}=this.store.get();n!==null&&(this.store.set({view:{...n,...e}}),this.refresh())}paint(e){e!==this.store.get().recipe&&(this.store.set({recipe:e}),this.refresh())}attach(e,n,s){const r=i=>{this.live=null,this.store.set({liveSamples:null,fault:`No live picture: ${i}`})};try{const i=o=>{this.store.get().liveSamples!==null&&(this.store.set({liveSamples:o}),this.pauseWhenCovered())};this.live=new Ai(e,n,s,i,r)}catch(i){r(i instanceof Error?i.message:String(i))}}get wantsShader(){return this.live!==null}shader(e,n){const s=this.live?.setPaint(e,n)===!0;this.store.set({liveSamples:s?0:null})}setGamutWarning(e){this.store.set({gamutWarning:e}),this.live?.setGamutWarning(e),e?this.live?.pause(!1):this.pauseWhenCovered()}keep(e){this.store.set({keptRecipe:e,kept:e===null?null:this.shown(e)}),this.refresh()}pauseWhenCovered(){const e=this.store.get();je(e)&&this.live?.pause((e.liveSamples??0)>0)}shown(e){const n=this.store.get(),s=je(n)||n.view===null?null:this.live?.snapshot();return s==null||n.view===null?n.picture:{...s,recipe:e,view:n.view}}abandon(){this.underWay=null,this.quickWanted=!1,clearTimeout(this.timer)}refresh(){clearTimeout(this.timer);const e=this.store.get().view?.light??"";if(this.store.set({enough:this.withLines.has(e)?yn:bn}),this.underWay?.job.quick===!0){this.quickWanted=!0;return}this.stop(),this.quickWanted=this.postponed=!1;const{view:n,liveSamples:s}=this.store.get();this.live?.pause(!1),n!==null&&this.live?.show(n,this.size.width,this.size.height),s===null?this.start(!0,!1):this.startLater()}stop(){return this.underWay===null?!1:(this.session.tell("stop",{what:"render"}),this.session.forget(this.underWay.id),this.underWay=null,!0)}startLater(){clearTimeout(this.timer),this.timer=setTimeout(()=>{this.start(!1,!1)},Fi)}start(e,n){const{view:s,keptRecipe:r,recipe:i}=this.store.get(),o=n?r:i,{width:a,height:c}=this.size;if(o===null||s===null||a*c===0||!this.session.isOpen||(this.postponed=this.holders.size>0&&!e,this.postponed))return;const u=Math.min(1,Math.sqrt(Ci/(a*c)))/(e?Ri:1),h={recipe:o,view:s,kept:n,quick:e},{sparkle:p,...d}=s,f={recipe:o,...p?{}:{model:this.meanModel},scene:{...d,camera:bs(s.camera,a,c)},width:Math.max(16,Math.round(a*u)),height:Math.max(16,Math.round(c*u)),samples:e?1:n?$s:yn},m=this.session.send("render",f,(g,b)=>{this.received(m,h,g,b)});this.underWay={id:m,job:h}}received(e,n,s,r){if(s.type==="picture"){const i=Pi(n,s,r);if(this.store.set(n.kept?{kept:i}:{picture:i,fault:null}),this.pauseWhenCovered(),i.samples<i.of)return}else if(s.type==="error")this.store.set({fault:String(s.message)});else if(s.type!=="done")return;if(this.underWay?.id===e){if(this.session.forget(e),this.underWay=null,this.quickWanted)this.refresh();else if(n.quick)this.startLater();else if(!n.kept){const i=this.store.get();i.keptRecipe!==null&&!$i(i)&&this.start(!1,!0)}}}}function Pi(t,e,n){const s=n.find(({name:c})=>c==="rgb"),[r,i]=s?.shape??[];if(s===void 0||r===void 0||i===void 0)throw new Error("a picture came without its pixels");const o=s.data,a=new Uint8ClampedArray(i*r*4);for(let c=0,u=0;c<a.length;c+=4,u+=3)a[c]=o[u],a[c+1]=o[u+1],a[c+2]=o[u+2],a[c+3]=255;return{width:i,height:r,pixels:a,samples:Number(e.samples),of:Number(e.of),recipe:t.recipe,view:t.view}}function Oi(){return l("section",{class:"picture-panel","aria-label":"Picture",children:[l(Ni,{}),l(Di,{}),l(Ii,{})]})}function Ni(){const t=P(),e=E(i=>i.schema),n=U(i=>i.view),s=U(i=>i.keptRecipe),r=E(i=>i.ownShape);return l("div",{class:"picture-bar",children:[l(xn,{label:"Shape",chosen:n?.shape??"",entries:e?.shapes??[],own:{text:"Own mesh …",files:Ut},choose:i=>{e!==null&&t.viewer.setShape(e,i,!1)},bring:i=>void t.ownFiles.bring("shape",i)}),r!==null&&r.name===n?.shape&&!/\.gl(tf|b)$/i.test(r.file.name)&&l("button",{type:"button",class:"small","aria-pressed":r.yUp,title:"The file's vertical is y, not z",onClick:()=>void t.ownFiles.bring("shape",r.file,!r.yUp),children:"Y up"}),l(xn,{label:"Light",chosen:n?.light??"",entries:e?.lights??[],own:{text:"Own HDR …",files:zt},choose:i=>{t.viewer.setView({light:i})},bring:i=>void t.ownFiles.bring("light",i)}),l("button",{type:"button",title:"Turn back to where the shape began",onClick:()=>{const i=e?.shapes.find(({name:o})=>o===n?.shape);i!==void 0&&t.viewer.setView({camera:ys(i),turn_deg:0,light_turn_deg:0})},children:"Front"}),l("span",{class:"gap"}),l("button",{type:"button","aria-pressed":s!==null,title:s===null?"Keep the paint as it is now as A, and see changes beside it":"Stop comparing",onClick:()=>{const{recipe:i}=t.store.get().document;t.viewer.keep(s===null?i:null)},children:s===null?"Keep as A":"A | B"}),s!==null&&l("button",{type:"button",title:"Make A the paint again; the present one can be had back by undo",onClick:()=>{t.useMatch(s)},children:"Back to A"})]})}function xn(t){const{label:e,chosen:n,entries:s,own:r}=t,i=D(null);return l(z,{children:[l("select",{"aria-label":e,title:s.find(({name:o})=>o===n)?.title,value:n,onChange:o=>{const{value:a}=o.currentTarget;o.currentTarget.value=n,a===""?i.current?.click():t.choose(a)},children:[s.map(({name:o,title:a})=>l("option",{value:o,children:a},o)),l("option",{value:"",children:r.text})]}),l("input",{ref:i,type:"file",accept:r.files,class:"hidden",tabIndex:-1,"aria-label":r.text.replace(" …",""),onChange:o=>{const[a]=o.currentTarget.files??[];o.currentTarget.value="",a!==void 0&&t.bring(a)}})]})}const kn=.4,$e=5;function Sn(t,e){const n=t?.getContext("2d");if(t===null||n===null||n===void 0)return;if(e===null){n.clearRect(0,0,t.width,t.height);return}(t.width!==e.width||t.height!==e.height)&&(t.width=e.width,t.height=e.height);const s=e.pixels;n.putImageData(new ImageData(s,e.width,e.height),0,0)}function Di(){const t=P(),e=D(null),n=D(null),s=D(null),r=D(null),i=E(_=>_.schema!==null),o=U(je),a=U(_=>_.picture),c=U(_=>_.kept),u=U(_=>_.keptRecipe),h=U(_=>_.view),p=E(_=>_.document.recipe.name),[d,f]=H(.5),m=D(null);ce(()=>{const _=e.current;if(_===null)return;const v=new ResizeObserver(()=>{t.viewer.resize(_.clientWidth,_.clientHeight)});return v.observe(_),()=>{v.disconnect()}},[t]),ce(()=>{i&&r.current!==null&&t.attach(r.current)},[t,i]),He(()=>{Sn(n.current,a)},[a]),He(()=>{Sn(s.current,c)},[c]);const g=(_,v,w,S=1)=>{if(h===null)return;const T=w?{light_turn_deg:hn(h.light_turn_deg+_)}:{turn_deg:hn(h.turn_deg+_),camera:Wr(h.camera,v,S)};t.viewer.setView(T)},b=_=>{const w={ArrowLeft:[-$e,0,1],ArrowRight:[$e,0,1],ArrowUp:[0,$e,1],ArrowDown:[0,-$e,1],"+":[0,0,1.2],"-":[0,0,.8333333333333334]}[_.key];w!==void 0&&(_.preventDefault(),g(w[0],w[1],_.shiftKey,w[2]))},y=`${typeof p=="string"?p:"The paint"}, ${h?.shape??""}, ${h?.light??""}`;return l("div",{class:"picture stage",ref:e,children:[l("div",{class:"turnable",role:"application",tabIndex:0,"aria-label":`Picture: ${y}. Arrow keys turn the shape, with Shift the light; plus and minus bring it nearer.`,onKeyDown:b,onPointerDown:_=>{_.button===0&&(_.currentTarget.setPointerCapture(_.pointerId),m.current={x:_.clientX,y:_.clientY})},onPointerMove:_=>{const v=m.current;if(v===null)return;const w=(_.clientX-v.x)*kn,S=(_.clientY-v.y)*kn;m.current={x:_.clientX,y:_.clientY},g(w,S,_.shiftKey)},onPointerUp:()=>{m.current=null},onPointerCancel:()=>{m.current=null},onWheel:_=>{_.preventDefault(),g(0,0,!1,Math.exp(-_.deltaY/600))},children:[l("canvas",{ref:r,class:o?"live":"live now"}),l("canvas",{ref:n,class:o?"traced now":"traced",width:"16",height:"16"}),u!==null&&l("div",{class:"wiped",style:{clipPath:`inset(0 ${String(100-100*d)}% 0 0)`},children:l("canvas",{ref:s,width:"16",height:"16"})})]}),u!==null&&l(z,{children:[l("span",{class:"side a",children:"A"}),l("span",{class:"side b",children:"B"}),l("div",{class:"wipe-line",style:{left:`${String(100*d)}%`}}),l("input",{class:"wipe",type:"range",min:"0",max:"1",step:"0.01",value:d,"aria-label":"Wipe between A, kept, and B, as it is now",onInput:_=>{f(Number(_.currentTarget.value))}})]})]})}function Ii(){const t=U(f=>f.picture),e=U(f=>f.fault),n=E(f=>f.readings),s=n?.out_of_gamut.filter(Boolean).length??0,r=U(f=>f.liveSamples),i=U(je),o=U(As),a=U(f=>f.gamutWarning),c=U(f=>f.view?.sparkle??!0),u=P(),h=t!==null&&t.of>1&&(o||r===null)?t:null,p=h===null?"":`${String(h.samples)} of ${String(h.of)}`,d=r!==null&&!i?`Live${h===null?"":`, path traced ${p}`}`:h!==null?`Path traced, ${p}`:t===null?"No picture yet":"Draft";return l("div",{class:"picture-foot",children:[l("span",{class:"how-far",title:e??"Samples a pixel of the path tracer's picture",children:e??d}),l("progress",{max:h?.of??1,value:h?.samples??0,"aria-label":"Samples of the picture"}),l("label",{title:"Single flakes, or their mean",children:[l("input",{type:"checkbox",checked:c,onChange:f=>{u.viewer.setView({sparkle:f.currentTarget.checked})}})," ","Sparkle"]}),r!==null&&l("label",{title:"Colours outside of sRGB, in the live picture",children:[l("input",{type:"checkbox",checked:a,onChange:f=>{u.viewer.setGamutWarning(f.currentTarget.checked)}})," ","Mark"]}),l("span",{class:"gamut",role:"status",title:"Angles whose colours are outside of sRGB",children:s>0?`${String(s)} of ${String(n?.lab.length??0)} outside sRGB`:""})]})}function Wi(t){const{tabs:e,chosen:n,onChoose:s}=t,r=D(null),i=e.findIndex(({name:a})=>a===n),o=a=>{const c=a.key==="ArrowRight"?(i+1)%e.length:a.key==="ArrowLeft"?(i+e.length-1)%e.length:a.key==="Home"?0:a.key==="End"?e.length-1:null,u=c===null?void 0:e[c];c===null||u===void 0||(a.preventDefault(),s(u.name),r.current?.children[c]?.focus())};return l("section",{class:"tabs","aria-label":t.label,children:[l("div",{role:"tablist","aria-label":t.label,ref:r,onKeyDown:o,children:e.map(({name:a,title:c})=>l("button",{type:"button",role:"tab",id:`tab-${a}`,"aria-selected":a===n,"aria-controls":`panel-${a}`,tabIndex:a===n?0:-1,onClick:()=>{s(a)},children:c},a))}),e.filter(({name:a})=>a===n).map(({name:a,panel:c})=>l("div",{role:"tabpanel",id:`panel-${a}`,"aria-labelledby":`tab-${a}`,tabIndex:0,children:c()},a))]})}const te=Math.PI/180;function Fs(t){return Math.hypot(t[1],t[2])}function Ui(t){if(Fs(t)<1e-9)return 0;const e=Math.atan2(t[2],t[1])/te;return e<0?(e+360)%360:e}function En(t,e){if(t===0&&e===0)return 0;const n=Math.atan2(e,t)/te;return n<0?n+360:n}function zi(t,e){const[n,s,r]=t,[i,o,a]=e,c=((Math.hypot(s,r)+Math.hypot(o,a))/2)**7,u=1+.5*(1-Math.sqrt(c/(c+25**7))),h=Math.hypot(u*s,r),p=Math.hypot(u*o,a),d=En(u*s,r),f=En(u*o,a),m=h*p===0;let g=m?0:f-d;g>180?g-=360:g<-180&&(g+=360);const b=i-n,y=p-h,_=2*Math.sqrt(h*p)*Math.sin(g*te/2),v=(n+i)/2,w=(h+p)/2;let S=d+f;m||(Math.abs(d-f)>180&&(S+=S<360?360:-360),S/=2);const T=1-.17*Math.cos((S-30)*te)+.24*Math.cos(2*S*te)+.32*Math.cos((3*S+6)*te)-.2*Math.cos((4*S-63)*te),k=1+.015*(v-50)**2/Math.sqrt(20+(v-50)**2),x=1+.045*w,A=1+.015*w*T,M=30*Math.exp(-(((S-275)/25)**2)),F=-2*Math.sqrt(w**7/(w**7+25**7))*Math.sin(2*M*te),[V,q,Z]=[b/k,y/x,_/A];return Math.sqrt(V*V+q*q+Z*Z+F*q*Z)}const Bi=[[3.08039909,-1.53738318,-.54301591],[-.92122336,1.8759675,.04525586],[.05287394,-.20397696,1.15110302]];function Hi(t){const e=(t[0]+16)/116,[n,s,r]=[e+t[1]/500,e,e-t[2]/200].map(i=>i>6/29?i**3:3*(6/29)**2*(i-4/29));return Bi.map(([i,o,a])=>i*n+o*s+a*r)}const Tn=1/255;function se(t){const e=Hi(t),n=Math.max(...e,1);return{css:"#"+e.map(i=>{const o=Math.min(Math.max(i/n,0),1);return o<=.0031308?12.92*o:1.055*o**(1/2.4)-.055}).map(i=>Math.round(255*i).toString(16).padStart(2,"0")).join(""),tooBright:n>1+Tn,outOfGamut:Math.min(...e)<-Tn*n}}function yt(t,e,n){const s=(e-t)/n,r=10**Math.floor(Math.log10(s)),i=([1,2,5,10].find(a=>a*r>=s*.999)??10)*r,o=[];for(let a=Math.ceil(t/i-1e-9);a*i<=e+1e-9*i;++a)o.push(Number((a*i).toPrecision(12)));return o}function Mn(t){let[e,n]=[1/0,-1/0];for(const s of t)e=Math.min(e,s),n=Math.max(n,s);return e<=n?[e,n]:[0,1]}function Gi(t,e,n,s){const r=t.map((c,u)=>({height:c,i:u})).sort((c,u)=>c.height-u.height),i=new Array(t.length).fill(0);let o=-1/0;for(const{height:c,i:u}of r)o=Math.max(c,o+e,n),i[u]=o;let a=s+e;for(const{i:c}of r.reverse())a=Math.min(i[c],a-e),i[c]=a;return i}function bt(t,e){const{width:n,height:s}=e,r=e.named??!1,i=Math.max(...t.map(w=>w.label.length)),o={left:46,right:r?14+6.6*i:12,top:10,bottom:38},a={w:n-o.left-o.right,h:s-o.top-o.bottom};let[c,u]=e.x??Mn(t.flatMap(w=>[...w.x])),[h,p]=e.y??Mn(t.flatMap(w=>[...w.y]));if(u<=c&&([c,u]=[c-1,c+1]),p<=h&&(p=h+1),e.square??!1){const w=Math.max((u-c)/a.w,(p-h)/a.h)*1.12,[S,T]=[(c+u)/2,(h+p)/2];[c,u]=[S-w*a.w/2,S+w*a.w/2],[h,p]=[T-w*a.h/2,T+w*a.h/2]}const d=w=>o.left+(w-c)/(u-c)*a.w,f=w=>o.top+(1-(w-h)/(p-h))*a.h,m=w=>w.toFixed(1),g=w=>String(w).replace("-","−"),b=W("svg",{viewBox:`0 0 ${String(n)} ${String(s)}`,class:"plot",role:"img","aria-label":e.describedAs}),[y,_]=[o.top+a.h,o.left+a.w];for(const w of yt(c,u,a.w/70)){const S=w===0&&(e.square??!1)?"axis":"grid";b.append(W("path",{class:S,d:`M${m(d(w))} ${String(o.top)}V${m(y)}`}),W("text",{x:m(d(w)),y:m(y+15),"text-anchor":"middle"},g(w)))}for(const w of yt(h,p,a.h/40)){const S=w===0?"axis":"grid";b.append(W("path",{class:S,d:`M${String(o.left)} ${m(f(w))}H${m(_)}`}),W("text",{x:o.left-6,y:m(f(w)+3.5),"text-anchor":"end"},g(w)))}b.append(W("text",{class:"label",x:m(o.left+a.w/2),y:s-4,"text-anchor":"middle"},e.xLabel),W("text",{class:"label",transform:`translate(11 ${m(o.top+a.h/2)}) rotate(-90)`,"text-anchor":"middle"},e.yLabel));const v=[];for(const w of t){const S=w.x.map((M,F)=>({x:d(M),y:f(w.y[F])})),T=S.map(({x:M,y:F},V)=>`${V===0?"M":"L"}${m(M)} ${m(F)}`).join(""),k=(w.pointColours??[]).map((M,F)=>{const{x:V,y:q}=S[F];return W("circle",{cx:m(V),cy:m(q),r:4.5,style:`fill:${M}`})}),x=W("g",{class:w.dashed??!1?"curve dashed":"curve"});x.dataset.label=w.label,x.append(W("title",{},w.label),W("path",{class:"casing",d:T}),W("path",{class:"line",d:T,style:`stroke:${w.colour}`}),...k),b.append(x);const A=S[S.length-1];A!==void 0&&v.push({...A,label:w.label})}if(r){const w=Gi(v.map(S=>S.y+3.5),11.5,o.top+4,y+3);v.forEach((S,T)=>{const k=w[T];b.append(W("path",{class:"leader",d:`M${m(_+1)} ${m(S.y)}L${m(_+8)} ${m(k-3.5)}`}),W("text",{x:_+10,y:m(k),"text-anchor":"start"},S.label))})}return b}const Vi=60,qi=5,ji=250;function Xi(t,{low:e,high:n}){if(!(n>e))return[];const s=de((n-e)/Vi),r=[];for(let i=Math.ceil(e/s-1e-9);i*s<=n+1e-9*s;++i){const o=Number((i*s).toPrecision(12));ir(t,o)&&r.push(o)}return r}class Ki{constructor(e,n){this.session=e,this.onBusy=n,this.store=new Lt({atlas:null,busy:!1,fraction:0,fault:null}),this.wanted="",this.underWay=null}want(e,n,s,r){const{geometries:i,illuminant:o,observer:a}=r,c={recipe:Ye(e,n,s[0]),key:N(n),values:s,geometries:i,illuminant:o,observer:a},u=JSON.stringify(c);if(u===this.wanted||s.length===0)return;this.stop(),this.wanted=u,this.setBusy(!0);const h=s.length-1,p=s.filter((d,f)=>f%qi===0||f===h);this.timer=setTimeout(()=>{this.ask({...c,values:p},()=>{this.ask(c,()=>{this.setBusy(!1)})})},ji)}stop(){clearTimeout(this.timer),this.store.get().busy&&(this.wanted=""),this.underWay!==null&&(this.session.tell("stop",{what:"atlas"}),this.session.forget(this.underWay),this.underWay=null),this.setBusy(!1)}setBusy(e){e!==this.store.get().busy&&(this.store.set({busy:e,fraction:0}),this.onBusy(e))}ask(e,n){if(!this.session.isOpen){this.stop();return}const s=this.session.send("atlas",e,r=>{if(r.type==="progress"){this.store.set({fraction:Number(r.fraction)});return}if(this.session.forget(s),this.underWay=null,r.type==="error"){this.store.set({fault:String(r.message)}),this.setBusy(!1);return}this.store.set({fault:null,atlas:r}),n()});this.underWay=s}}function Yi(t){const e=/^([\d.]+)as(-?[\d.]+)(az-?[\d.]+)?$/.exec(t);if(e===null){const s=/^([\d.]+)to/.exec(t);return{name:t,lamp:s===null?NaN:Number(s[1]),aspecular:null}}const n=e[3]===void 0;return{name:t,lamp:Number(e[1]),aspecular:n?Number(e[2]):null}}function Rs(t){const e=new Map;t.forEach((n,s)=>{const{lamp:r,aspecular:i}=Yi(n);if(i===null)return;const o=e.get(r)??[];o.push({index:s,lamp:r,aspecular:i}),e.set(r,o)});for(const n of e.values())n.sort((s,r)=>s.aspecular-r.aspecular);return e}function Bt(t){const e=[...Rs(t)].map(([r,i])=>({title:`Lamp at ${String(r)}°`,places:i.map(({index:o,aspecular:a})=>({i:o,label:`${R(a,1).replace(/\.0$/,"")}°`}))})),n=new Set(e.flatMap(({places:r})=>r.map(({i})=>i))),s=t.map((r,i)=>({i,label:ke(r)})).filter(({i:r})=>!n.has(r));return s.length>0&&e.push({title:"Off the plane",places:s}),e}function nt(t,e){const{standard:n,geometries:s}=t,r=n?.geometries.indexOf(s[e])??-1;return n?.lab[r]??null}function Ji(){const t=E(r=>r.readings),e=E(r=>r.fault===null),n=E(r=>r.readingsOf===r.document);if(t===null)return l("div",{class:"stage chips","aria-busy":"true"});const s=Bt(t.geometries);return l("div",{class:e?"stage chips":"stage chips old",role:"group","aria-label":"Chips","data-current":n,children:[t.standard?.problem!==void 0&&l("p",{class:"problem",children:t.standard.problem}),s.map(r=>l("section",{"aria-label":r.title,children:[s.length>1&&l("h3",{children:r.title}),l("ol",{class:"chip-row",children:r.places.map(({i,label:o})=>l(Qi,{readings:t,i,label:o},i))})]},r.title))]})}function Qi({readings:t,i:e,label:n}){const s=t.lab[e],r=nt(t,e),i=t.standard,o=i?.delta_e_2000?.[e],a=i?.passes?.[e],c=[t.out_of_gamut[e]===!0?"outside sRGB, clipped":"",t.too_bright[e]===!0?"brighter than white, dimmed":""].filter(Boolean),u=`L* ${R(s[0],2)}, a* ${R(s[1],2)}, b* ${R(s[2],2)}`;return l("li",{class:"chip","data-geometry":t.geometries[e],"data-lab":s.join(" "),title:[ke(t.geometries[e]),u,...c].join(`
-`),children:[l("div",{class:"faces",children:[r!==null&&l("i",{style:{background:se(r).css}}),l("i",{style:{background:se(s).css}}),c.length>0&&l("abbr",{"aria-label":c.join(", "),children:"!"})]}),l("b",{children:n.split(/(?=az)/).map(h=>l(z,{children:[h,l("wbr",{})]},h))}),l("span",{class:"lightness",children:[l("span",{class:"hidden",children:"L* "}),R(s[0],1)]}),i!==null&&l("span",{class:a===!1?"delta fails":"delta",children:[l("span",{class:"hidden",children:"Delta E "}),R(o,2),a===!1&&l("abbr",{title:"beyond the tolerance",children:" ✗"}),a===!0&&l("abbr",{title:"within the tolerance",children:" ✓"})]})]})}function An({path:t}){return t[t.length-1]==="thickness_nm"}function Zi(){const t=P(),e=E(x=>x.schema),n=E(x=>x.document),s=E(x=>x.fault===null),r=E(x=>x.settings),i=E(x=>x.connection==="open"),o=Pe(x=>x.fault),[a,c]=H(null),[u,h]=H(new Map),{recipe:p}=n,d=ue(()=>e===null?[]:us(e,p),[e,p]),f=d.filter(An),m=x=>d.find(({path:A})=>N(A)===x),g=f.find(({path:x})=>x.includes("coats"))??f[0],b=m(a)??g??d[0],y=b===void 0?"":N(b.path),_=eo(b,u.get(y)),v=ue(()=>b===void 0||_===null?[]:Xi(b.info,_),[b?.info,_?.low,_?.high]);if(ce(()=>{b===void 0||!s||!i||t.atlas.want(p,b.path,v,r)},[t,p,y,v,r,s,i]),ce(()=>()=>{t.atlas.stop()},[t]),b===void 0||_===null)return null;const{label:w,unit:S}=B(b.info.key),T=({path:x,info:A})=>{const M=Se(p,x),F=B(A.key).label+(M===""?"":`, ${M}`);return l("option",{value:N(x),children:F},N(x))},k=x=>{h(new Map(u).set(y,{..._,...x}))};return l("div",{class:"atlas",children:[l("div",{class:"atlas-bar",children:[l("select",{"aria-label":"Number of the atlas",value:y,onChange:x=>{c(x.currentTarget.value)},children:[f.length>0&&l("optgroup",{label:"Films",children:f.map(T)}),l("optgroup",{label:"Other numbers",children:d.filter(x=>!An(x)).map(T)})]}),l("span",{children:"From"}),l($n,{label:"From",value:_.low,set:x=>{k({low:x})}}),l("span",{children:"to"}),l($n,{label:"To",value:_.high,set:x=>{k({high:x})}}),l("span",{children:S})]}),v.length===0?l("p",{class:"fault-line",children:["Between ",Q(_.low)," and ",Q(_.high)," ",S," nothing is allowed."]}):o!==null?l("p",{class:"fault-line",children:o}):l(to,{of:y,label:w,unit:S,now:b.value,locked:n.locks.has(y),take:x=>{t.edit(A=>Y(A,b.path,x))}})]})}function eo(t,e){const n=D(null);if(t===void 0)return null;if(e!==void 0)return e;const{path:s,info:r,value:i}=t,o=N(s),a=n.current;if(a?.name===o&&i>=a.ends.low&&i<=a.ends.high)return a.ends;const{low:c,high:u}=ms(r,i);return n.current={name:o,ends:{low:c,high:u}},n.current.ends}function $n(t){return l("input",{type:"number",step:"any","aria-label":t.label,value:t.value,onChange:e=>{const n=e.currentTarget.valueAsNumber;Number.isFinite(n)?t.set(n):e.currentTarget.value=String(t.value)}})}function to(t){const{now:e,take:n,unit:s}=t,r=Pe(k=>k.atlas),i=Pe(k=>k.busy),o=E(k=>k.readings),a=Pe(k=>k.fraction),[c,u]=H(null),h=r?.key===t.of?r:null,p=ue(()=>h===null?[]:no(h),[h]);if(h===null)return l("p",{class:"empty",children:i?"Solving the paint at each value …":""});const{values:d}=h,[f,m]=[d[0],d[d.length-1]],g=k=>m>f?(k-f)/(m-f):.5,b=e>=f&&e<=m,y=c??{column:Fn(d,e),geometry:p[0]?.geometry??0},_=(k,x)=>{const{left:A,width:M}=x.getBoundingClientRect(),F=f+(k.clientX-A)/M*(m-f);return Fn(d,F)},v=k=>{const x=k.target.closest("[data-row]"),A=x===null?y.geometry:Number(x.dataset.row);u({column:_(k,k.currentTarget),geometry:A})},w=k=>{const x=d[k];x!==void 0&&!t.locked&&n(x)},S=k=>{const x=p.findIndex(({geometry:M})=>M===y.geometry),A=(M,F)=>{const V=p[Math.min(Math.max(x+F,0),p.length-1)],q=Math.min(Math.max(y.column+M,0),d.length-1);u({column:q,geometry:V?.geometry??0})};if(k.key==="ArrowLeft")A(-1,0);else if(k.key==="ArrowRight")A(1,0);else if(k.key==="ArrowUp")A(0,-1);else if(k.key==="ArrowDown")A(0,1);else if(k.key==="Home")A(-d.length,0);else if(k.key==="End")A(d.length,0);else if(k.key==="Enter"||k.key===" ")w(y.column);else return;k.preventDefault()},T=k=>`${(100*k).toFixed(2)}%`;return l("div",{class:"stage atlas-stage","aria-busy":i,children:[l("div",{class:"atlas-labels","aria-hidden":"true",children:p.map(({geometry:k,label:x})=>l("span",{children:x},k))}),l("div",{class:t.locked?"atlas-field locked":"atlas-field",role:"application",tabIndex:0,"aria-label":`Atlas of ${t.label.toLowerCase()}: arrow keys go from colour to colour, Enter takes one.`,onPointerMove:v,onPointerDown:v,onPointerLeave:()=>{u(null)},onClick:k=>{w(_(k,k.currentTarget))},onKeyDown:S,onBlur:()=>{u(null)},children:[p.map(({geometry:k,background:x})=>l("i",{class:k===y.geometry&&c!==null?"at":"","data-row":k,style:{background:x}},k)),b&&l("b",{class:"now",style:{left:T(g(e))}}),c!==null&&l("b",{class:"cursor",style:{left:T(g(d[c.column]??e))}})]}),o?.standard!=null&&l("div",{class:"atlas-standard",title:"The standard",children:p.map(({geometry:k})=>l(ro,{readings:o,geometry:k},k))}),l("div",{class:"atlas-axis","aria-hidden":"true",children:yt(f,m,5).map(k=>l("span",{style:{left:T(g(k))},children:Q(k)},k))}),l("progress",{class:i?"":"done",max:1,value:a,"aria-label":"Colours of the atlas"}),l(io,{atlas:h,place:y,unit:s,readings:o,hovers:c!==null})]})}function Fn(t,e){let n=0;return t.forEach((s,r)=>{Math.abs(s-e)<Math.abs(t[n]-e)&&(n=r)}),n}function no({geometries:t,rgb:e}){const n=Bt(t);return n.flatMap(({title:s,places:r})=>r.map(({i,label:o})=>{const a=(e[i]??[]).map(fs),c=a.length===1?[...a,...a]:a;return{geometry:i,label:n.length>1?`${so(s)}${o}`:o,background:`linear-gradient(to right, ${c.join(", ")})`}}))}function so(t){const e=/\d+/.exec(t)?.[0];return e===void 0?"":`${e} / `}function ro(t){const e=nt(t.readings,t.geometry);return l("i",{style:e===null?{}:{background:se(e).css}})}function io(t){const{atlas:e,place:n,unit:s,readings:r}=t,i=e.values[n.column],o=e.lab[n.geometry]?.[n.column],a=e.lab.flatMap((u,h)=>{const p=r===null?null:nt(r,h),d=u[n.column];return p===null||d===void 0?[]:[zi(p,d)]}),c=a.reduce((u,h)=>u+h,0)/a.length;return l("p",{class:"atlas-reading",role:"status",children:[l("b",{children:[i===void 0?"":Q(i)," ",s]}),l("span",{children:ke(e.geometries[n.geometry]??"")}),o!==void 0&&l(oo,{lab:o}),a.length>0&&l("span",{children:["mean ΔE ",R(c,1)]})]})}function oo({lab:t}){return l("span",{children:["L* ",R(t[0],1)," a* ",R(t[1],1)," b* ",R(t[2],1)]})}const ao=new Set(["volume_fraction","alpha"]);function lo({path:t,info:e}){const n=e.key==="thickness_nm"&&t.includes("coats");return t[0]==="layer"&&(n||ao.has(e.key))}function co({path:t,value:e},n){const s=n.fit,r=typeof s=="object"&&N(t)in s;return t[0]!=="fit"&&t[0]!=="uncertainty"&&(e!==0||r)}function uo(){const t=E(m=>m.schema),e=E(m=>m.document),n=E(m=>m.standard),s=E(m=>m.fit),r=P(),[i,o]=H(new Map),[a,c]=H(4);if(t===null||n===null)return l("p",{class:"empty",children:"Load a standard first: measured readings as CSV. The fit then turns numbers of this paint until its colours match."});const{recipe:u,locks:h}=e,p=us(t,u).filter(m=>co(m,u)),d=m=>{const g=N(m.path);return!h.has(g)&&(i.get(g)??lo(m))},f=p.filter(d).map(({path:m})=>N(m));return l("div",{class:"fit",children:[l("p",{class:"fit-start",children:[s.running?l("button",{type:"button",onClick:()=>{r.stopFit()},children:"Stop"}):l("button",{type:"button",disabled:f.length===0,onClick:()=>{r.fit(f,a)},children:["Fit ",String(f.length)," ",f.length===1?"number":"numbers"]}),l("label",{children:["from"," ",l("input",{type:"number",min:"1",max:"64",value:a,disabled:s.running,"aria-label":"Starts",onChange:m=>{const g=Math.round(Number(m.currentTarget.value));g>=1&&c(g)}})," ",a===1?"start":"starts"]}),l("progress",{max:"1",value:s.fraction,"aria-label":"Progress of the fit",class:s.running?"":"idle"})]}),s.fault!==null&&l("p",{class:"fault-line",role:"alert",children:s.fault}),s.matches!==null&&l(ho,{matches:s.matches,colours:s.colours}),l("fieldset",{disabled:s.running,children:[l("legend",{children:"Free numbers"}),p.map(m=>{const g=N(m.path),{label:b,unit:y}=B(m.info.key);return l("label",{class:"free",children:[l("input",{type:"checkbox",checked:d(m),disabled:h.has(g),onChange:_=>{o(new Map(i).set(g,_.currentTarget.checked))}}),l("span",{children:[b,l("small",{children:Se(u,m.path)})]}),l("b",{children:[h.has(g)?"locked, ":"",Q(m.value)," ",y]})]},g)})]})]})}function ho(t){const e=P(),n=E(s=>s.document.recipe);return l("ol",{class:"matches","aria-label":"Paints that were found",children:t.matches.map((s,r)=>l("li",{class:s.recipe===n?"used":"",children:[l("div",{class:"match-head",children:[l("b",{children:["Mean ΔE ",R(s.mean_delta_e,2)]}),l("span",{children:["greatest ",R(s.max_delta_e,2)]}),l("button",{type:"button",class:"small","aria-label":`Use match ${String(r+1)}`,onClick:()=>{e.useMatch(s.recipe)},children:"Use"})]}),l("div",{class:"stage match-chips",children:t.colours[r]?.lab.map((i,o)=>{const a=nt(t.colours[r],o);return l("div",{class:"faces",children:[a!==null&&l("i",{style:{background:se(a).css}}),l("i",{style:{background:se(i).css}})]},o)})}),l("dl",{children:s.parameters.map(({key:i,value:o,sd:a,at_bound:c})=>{const u=$t(i),{label:h,unit:p}=B(String(u.at(-1))),d=a===null?"":` ± ${Q(Number(a.toPrecision(2)))}`;return[l("dt",{children:[h," ",l("small",{children:Se(s.recipe,u)})]},`${i} name`),l("dd",{children:[Q(o),d," ",p,c&&" (at its bound)"]},i)]})})]},r))})}function Ht({element:t}){const e=D(null);return He(()=>{e.current?.replaceChildren(t)},[t]),l("div",{ref:e})}const Rn=340;function Fe(t,e){const n=Math.floor(Math.min(...t)/e)*e,s=Math.ceil(Math.max(...t)/e)*e;return[n,Math.max(s,n+e)]}function Cn(t,e,n,s){return[...Rs(t.geometries)].map(([r,i])=>{const o=i.map(({index:c})=>t.lab[c]),a={x:o.map((c,u)=>n(c,i[u]?.aspecular??0)),y:o.map(s),colour:"var(--line)",label:`${String(r)}°${e?" std":""}`,dashed:e};return e?a:{...a,pointColours:o.map(c=>se(c).css)}})}function Ln(t,e,n){const s=t.standard;return[...s===null?[]:Cn(s,!0,e,n),...Cn(t,!1,e,n)]}function fo(){const t=E(n=>n.readings),e=ue(()=>{if(t===null)return null;const n=Ln(t,(u,h)=>h,u=>u[0]),s=Ln(t,u=>u[1],u=>u[2]),r=t.standard===null?"":"; the standard dashed",i=Fe(n.flatMap(({x:u})=>[...u]),15),o=Fe([...n.flatMap(({y:u})=>[...u]),99],25)[1],a=Fe(s.flatMap(({x:u})=>[...u]),20),c=Fe(s.flatMap(({y:u})=>[...u]),20);return[bt(n,{width:Rn,height:158,xLabel:"Aspecular angle, °",yLabel:"L*",named:n.length>1,x:i,y:[0,o],describedAs:`Lightness over the aspecular angle${r}`}),bt(s,{width:Rn,height:226,xLabel:"a*",yLabel:"b*",x:a,y:c,square:!0,describedAs:`The way of the colour through a* and b*${r}`})]},[t]);return e===null?null:l(z,{children:e.map((n,s)=>l(Ht,{element:n},s))})}function po(){const t=E(r=>r.readings);if(t===null)return null;const e=t.standard,n=Bt(t.geometries).flatMap(({places:r})=>r.map(({i})=>i)),s=r=>l("th",{scope:"row",children:[l("i",{class:"dot",style:{background:se(t.lab[r]).css}}),ke(t.geometries[r])]});return l(z,{children:[l("table",{class:"figures",children:[l("thead",{children:l("tr",{children:["Angle","L*","a*","b*","C*","h"].map(r=>l("th",{scope:"col",children:r},r))})}),l("tbody",{children:n.map(r=>{const i=t.lab[r];return l("tr",{children:[s(r),[...i,Fs(i)].map((o,a)=>l("td",{children:R(o,2)},a)),l("td",{children:R(Ui(i),1)})]},r)})})]}),e?.dL!==void 0&&l("table",{class:"figures","aria-label":"Differences from the standard",children:[l("thead",{children:l("tr",{children:["Sample − standard","ΔL*","ΔC*","ΔH*","ΔE2000"].map(r=>l("th",{scope:"col",children:r},r))})}),l("tbody",{children:n.map(r=>l("tr",{children:[s(r),[e.dL,e.dC,e.dH].map((i,o)=>l("td",{children:R(i?.[r],2)},o)),l("td",{class:"strong",children:R(e.delta_e_2000?.[r],2)})]},r))})]})]})}function mo(){const t=P(),e=E(i=>i.sparkle),n=E(i=>i.sparkleFraction),s=E(i=>i.document),r=e!==null&&e.of.recipe!==s.recipe;return l("div",{class:"sparkle",children:[l("p",{class:"sparkle-start",children:[l("button",{type:"button",onClick:()=>{n===null?t.sparkle.measure():t.sparkle.stop()},children:n===null?"Measure sparkle and graininess":"Stop"}),l("progress",{max:"1",value:n??0,"aria-label":"Progress of the measurement",class:n===null?"idle":""})]}),e!==null&&l("div",{class:r?"old":"",children:[l("table",{class:"figures",children:[l("thead",{children:l("tr",{children:["Lamp","Sparkle","Spots per cm²","Intensity"].map(i=>l("th",{scope:"col",children:i},i))})}),l("tbody",{children:e.value.readings.map(i=>l("tr",{children:[l("th",{scope:"row",children:[R(i.theta_i,0),"°"]}),l("td",{children:Pn(i.sparkle)}),l("td",{children:R(i.spots_per_cm2?.value,0)}),l("td",{children:R(i.intensity?.value,1)})]},i.theta_i))})]}),l("p",{children:["Graininess, diffuse light: ",l("b",{children:Pn(e.value.graininess)})]}),r&&l("p",{class:"note",children:"Of the paint before the last change."})]})]})}function Pn(t){if(t===null)return"–";const{value:e,standard_error:n}=t;return n===null?R(e,1):`${R(e,1)} ± ${R(n,1)}`}function On(t,e){return t.wavelengths_nm.length===0?[]:t.reflectance.map((n,s)=>({x:t.wavelengths_nm,y:n,colour:se(t.lab[s]).css,label:e?"":ke(t.geometries[s]),dashed:e}))}function go(){const t=E(n=>n.readings),e=ue(()=>{if(t===null)return null;const s=[...t.standard===null?[]:On(t.standard,!0),...On(t,!1)],r=Math.max(...s.flatMap(({y:i})=>[...i]));return bt(s,{width:340,height:400,xLabel:"Wavelength, nm",yLabel:"Reflectance factor",y:[0,de(r*1.02)],named:!0,describedAs:"Reflectance factor over wavelength, a curve an angle"})},[t]);return e===null?null:l(Ht,{element:e})}const _o=[{name:"flop",title:"Flop",panel:()=>l(fo,{})},{name:"numbers",title:"L*a*b*",panel:()=>l(po,{})},{name:"spectra",title:"Spectra",panel:()=>l(go,{})},{name:"atlas",title:"Atlas",panel:()=>l(Zi,{})},{name:"sparkle",title:"Sparkle",panel:()=>l(mo,{})},{name:"fit",title:"Fit",panel:()=>l(uo,{})}];function vo(){const[t,e]=H("flop");return l("section",{class:"results","aria-label":"Readings",children:[l(wo,{}),l(yo,{}),l(Ji,{}),l(bo,{}),l(Wi,{label:"Details",tabs:_o,chosen:t,onChoose:e})]})}function wo(){const t=P(),e=E(r=>r.schema),n=E(r=>r.settings),s=(r,i,o,a,c=u=>u)=>l("select",{"aria-label":r,title:r,value:i,onChange:u=>{a(u.currentTarget.value)},children:o.map(u=>l("option",{value:u,children:c(u)},u))});return l("div",{class:"conditions",children:[s("Angles",n.geometries,(e?.geometry_sets??[]).map(({name:r})=>r),r=>{t.setSettings({geometries:r})},r=>{const i=e?.geometry_sets.find(o=>o.name===r);return`${r}, ${String(i?.geometries.length??0)} angles`}),s("Illuminant",n.illuminant,e?.illuminants??[],r=>{t.setSettings({illuminant:r})}),s("Observer",n.observer,e?.observers??[],r=>{t.setSettings({observer:r})},r=>/^\d+$/.test(r)?`${r}°`:r)]})}function yo(){const t=P(),e=E(i=>i.standard),n=E(i=>i.settings.tolerance),s=E(i=>i.readings),r=D(null);return l("div",{class:"standard",children:[l("input",{ref:r,type:"file",accept:".csv,.json,text/csv",class:"hidden",tabIndex:-1,"aria-label":"File of a standard",onChange:i=>{const[o]=i.currentTarget.files??[];i.currentTarget.value="",o!==void 0&&o.text().then(a=>{t.setStandard(a,o.name)})}}),e===null?l(z,{children:[l("button",{type:"button",class:"small",onClick:()=>r.current?.click(),children:"Load a standard …"}),l("button",{type:"button",class:"small",disabled:s===null,title:"The paint as it is now becomes the standard",onClick:()=>{s!==null&&t.setStandard(s.csv,"this paint.csv")},children:"Take this paint"})]}):l(z,{children:[l("span",{class:"standard-name",title:e.name,children:["Standard: ",l("b",{children:e.name})]}),l("label",{children:["ΔE ≤"," ",l("input",{type:"number",min:"0.01",max:"100",step:"0.1",value:n,"aria-label":"Tolerance, Delta E 2000 at each angle",onChange:i=>{const o=Number(i.currentTarget.value);o>0&&t.setSettings({tolerance:o})}})]}),l("button",{type:"button",class:"small","aria-label":"Remove the standard",onClick:()=>{t.setStandard(null,"")},children:"Remove"})]})]})}function bo(){const t=E(s=>s.readings),e=t?.standard??null,n=(s,r,i=!1)=>l("div",{class:i?"wide":"",children:[l("dt",{children:s}),l("dd",{children:r})]});return l("dl",{class:"key-figures",children:[n("Flop index",R(t?.flop_index,2)),n("Colour travel",R(t?.colour_travel.length,1)),n("Mean ΔE",R(e?.mean,2)),n("Greatest ΔE",R(e?.max,2))]})}function xo(t){try{return localStorage.getItem(`nacre-${t}`)}catch{return null}}function ko(t,e){try{localStorage.setItem(`nacre-${t}`,e)}catch{}}function ct(){const t=document.documentElement.dataset.theme;return t!==void 0?t==="dark":matchMedia("(prefers-color-scheme: dark)").matches}function So(){const t=js("button",{type:"button",class:"theme"}),e=xo("theme");(e==="light"||e==="dark")&&(document.documentElement.dataset.theme=e);const n=()=>{t.textContent=ct()?"Light":"Dark",t.setAttribute("aria-label",`Use ${ct()?"light":"dark"} greys`)};return t.addEventListener("click",()=>{const s=ct()?"light":"dark";document.documentElement.dataset.theme=s,ko("theme",s),n()}),matchMedia("(prefers-color-scheme: dark)").addEventListener("change",n),n(),t}function Nn(t,e){const{document:n,settings:s}=t.store.get(),{geometries:r,illuminant:i,observer:o,tolerance:a}=s;t.say("Making the report …"),t.ask("report",{recipe:n.recipe,geometries:r,illuminant:i,observer:o,tolerance:{limit:a}},c=>{if(c.type==="error"){t.say(String(c.message));return}const u=String(c.html);e==="pdf"?zr(u):Ne(De(n.recipe.name,"html"),u,"text/html"),t.say(e==="pdf"?"The report can be printed.":"The report was saved.")},c=>{t.say(`Making the report … ${(100*c).toFixed(0)} %`)})}function Eo(){const t=P(),e=E(o=>o.schema),n=E(o=>o.canUndo),s=E(o=>o.canRedo),r=ue(()=>So(),[]),i=D(null);return l("header",{class:"top",children:[l("h1",{children:["Nacre ",l("span",{children:"Studio"})]}),l(Ze,{label:"Start from a paint that ships",text:"Start from …",class:"start",chosen:null,choices:e?.paints??[],onChoose:o=>{const a=e?.paints.find(c=>c.name===o);a!==void 0&&t.openText(a.toml)}}),l("button",{type:"button",onClick:()=>i.current?.click(),children:"Open …"}),l("input",{ref:i,type:"file",accept:`.toml,.csv,.json,${Ut},${zt},application/toml,text/plain`,class:"hidden",tabIndex:-1,"aria-label":"File of a recipe, a standard, a mesh or a light",onChange:o=>{const[a]=o.currentTarget.files??[];o.currentTarget.value="",a!==void 0&&t.openFile(a)}}),l("span",{class:"pair",children:[l(oe,{icon:"undo",label:"Undo (Ctrl+Z)",disabled:!n,onClick:()=>{t.undo()}}),l(oe,{icon:"redo",label:"Redo (Ctrl+Y)",disabled:!s,onClick:()=>{t.redo()}})]}),l("span",{class:"gap"}),l(To,{}),l(Ht,{element:r})]})}function To(){const t=P(),e=E(({readings:r,readingsOf:i,document:o,fault:a})=>r!==null&&(a===null||i===o)),n=({document:r})=>r.recipe.name;return l("span",{class:"saving",children:[l("button",{type:"button",disabled:!e,title:"Save the recipe, .toml",onClick:()=>{t.whenCurrent(r=>{const i=r.paint?.toml??"";Ne(De(n(r),"toml"),i,"application/toml")})},children:"Save recipe"}),l("button",{type:"button",title:"Save the picture, .png",onClick:()=>{const r=globalThis.document.querySelector("canvas.now");r!==null&&Br(r).then(i=>{Ne(De(n(t.store.get()),"png"),i,"image/png")},i=>{t.say(Ve(i))})},children:"Picture"}),l("button",{type:"button",disabled:!e,title:"Save the readings, .csv",onClick:()=>{t.whenCurrent(r=>{const i=r.readings?.csv??"";Ne(De(n(r),"csv"),i,"text/csv")})},children:"Readings"}),l("button",{type:"button",disabled:!e,title:"Print the report of the panel, or save it as PDF",onClick:()=>{Nn(t,"pdf")},children:"Report"}),l("button",{type:"button",disabled:!e,"aria-label":"Report as HTML",title:"Save the report of the panel, .html",onClick:()=>{Nn(t,"html")},children:"HTML"}),l("button",{type:"button",title:"Copy an address that holds this paint",onClick:()=>{t.copyLink()},children:"Copy link"})]})}function Dn(t){return t instanceof HTMLInputElement&&!["range","checkbox"].includes(t.type)}function Mo(t){ce(()=>{const e=o=>{if(!(o.ctrlKey||o.metaKey)||Dn(o.target))return;const a=o.key.toLowerCase();if(a==="z"&&!o.shiftKey)t.undo();else if(a==="y"||a==="z")t.redo();else return;o.preventDefault()},n=o=>{o.preventDefault()},s=o=>{o.preventDefault();const a=o.dataTransfer?.files[0];a!==void 0&&t.openFile(a)},r=o=>{const a=o.clipboardData?.getData("text")??"";Dn(o.target)||!a.includes("=")||(o.preventDefault(),t.openText(a))},i=()=>{t.openLink(location.hash)};return document.addEventListener("keydown",e),document.addEventListener("dragover",n),document.addEventListener("drop",s),document.addEventListener("paste",r),addEventListener("hashchange",i),()=>{document.removeEventListener("keydown",e),document.removeEventListener("dragover",n),document.removeEventListener("drop",s),document.removeEventListener("paste",r),removeEventListener("hashchange",i)}},[t])}function Ao({studio:t}){return Mo(t),l(tr,{value:t,children:[l(Eo,{}),l("main",{class:"studio",children:[l(Ir,{}),l(Oi,{}),l(vo,{})]}),l($o,{})]})}function $o(){const t=E(i=>i.connection),e=E(i=>i.latency_ms),n=E(i=>i.notice),s=E(i=>i.schema?.version),r={connecting:"Connecting …",open:"",gone:"The studio's program does not answer: has it ended? The paint is safe in this page, which goes on when the same program answers again.",refused:"Another nacre studio answers here, which does not know this page. Open the address that it printed, and paste the paint there: Copy link has it."}[t];return l("footer",{class:r===""||t==="connecting"?"status":"status gone",children:[l("span",{class:"notice",role:"status","aria-live":"polite",title:r===""?n:r,children:r===""?n:r}),l("span",{class:"latency",title:"From the last change to its colours on the screen",children:e===null?"":`${R(e,0)} ms`}),l("span",{children:s===void 0?"":`Nacre ${s}`})]})}const Fo=500;class Ro{constructor(e){this.present=e,this.past=[],this.future=[],this.gesture=null}get now(){return this.present}get canUndo(){return this.past.length>0}get canRedo(){return this.future.length>0}push(e,n=null){e!==this.present&&((n===null||n!==this.gesture)&&(this.past.push(this.present),this.past.length>Fo&&this.past.shift()),this.gesture=n,this.present=e,this.future=[])}begin(e){this.past=[],this.future=[],this.gesture=null,this.present=e}endGesture(){this.gesture=null}undo(){const e=this.past.pop();return e!==void 0&&(this.future.push(this.present),this.present=e),this.gesture=null,this.present}redo(){const e=this.future.pop();return e!==void 0&&(this.past.push(this.present),this.present=e),this.gesture=null,this.present}}class Co{constructor(e){this.send=e,this.underWay=null,this.waiting=null}get busy(){return this.underWay!==null}want(e){if(this.underWay!==null){this.waiting=e;return}this.underWay=e,this.send(e)}finished(){const e=this.waiting;this.underWay=this.waiting=null,e!==null&&this.want(e)}abandon(){const e=this.waiting??this.underWay;return this.underWay=this.waiting=null,e}}const xt="#paint=",In=1<<20;async function Cs(t,e){const s=new Blob([t]).stream().pipeThrough(e).getReader(),r=[];let i=0;for(;;){const{done:c,value:u}=await s.read();if(c)break;if(i+=u.length,i>In)throw await s.cancel(),new Error(`holds more than ${String(In)} bytes`);r.push(u)}const o=new Uint8Array(i);let a=0;for(const c of r)o.set(c,a),a+=c.length;return o}function Lo(t){let e="";for(const n of t)e+=String.fromCharCode(n);return btoa(e).replace(/\+/g,"-").replace(/\//g,"_").replace(/=+$/,"")}function Po(t){const e=atob(t.replace(/-/g,"+").replace(/_/g,"/"));return Uint8Array.from(e,n=>n.charCodeAt(0))}async function Wn({recipe:t,locks:e}){const n=JSON.stringify(e.size>0?{recipe:t,locks:[...e]}:{recipe:t}),s=new TextEncoder().encode(n);return xt+Lo(await Cs(s,new CompressionStream("deflate-raw")))}async function Oo(t){if(!t.startsWith(xt))return null;let e;try{const r=Po(t.slice(xt.length)),i=await Cs(r,new DecompressionStream("deflate-raw"));e=JSON.parse(new TextDecoder("utf-8",{fatal:!0}).decode(i))}catch(r){const i=r instanceof Error?r.message:String(r);throw new Error(`The paint in this address cannot be read; was it cut? (${i})`)}const n=e;if(typeof n!="object"||n===null||!I(n.recipe))throw new Error("The address holds something that is no paint.");const s=Array.isArray(n.locks)?n.locks.filter(r=>typeof r=="string"):[];return{recipe:n.recipe,locks:new Set(s)}}class No{constructor(e,n){this.store=e,this.session=n,this.id=null}measure(){if(!this.session.isOpen)return;const{document:e}=this.store.get();this.store.set({sparkleFraction:0}),this.id=this.session.send("sparkle",{recipe:e.recipe},n=>{if(n.type==="progress"){this.store.set({sparkleFraction:Number(n.fraction)});return}if(n.type==="error")this.store.set({sparkle:null,notice:String(n.message)});else{const s=n;this.store.set({sparkle:{of:e,value:s}})}this.abandon()})}stop(){this.id!==null&&this.session.tell("stop",{what:"sparkle"}),this.abandon()}abandon(){this.id!==null&&this.session.forget(this.id),this.id=null,this.store.set({sparkleFraction:null})}}const Un=300,Do=4e3,Io={f32:Float32Array,u8:Uint8Array,u16:Uint16Array,u32:Uint32Array,f16:Uint16Array};function Wo(t,e){let n=0;return t.map(s=>{const r=Io[s.dtype],i=s.shape.reduce((a,c)=>a*c,1),o=new r(e,n,i);return n+=Math.ceil(o.byteLength/4)*4,{...s,data:o}})}class Uo{constructor(e,n){this.connect=e,this.onChange=n,this.socket=null,this.open=!1,this.closed=!1,this.nextId=1,this.wait=Un,this.answers=new Map,this.awaiting=null,this.begin()}get isOpen(){return this.open}send(e,n,s){const r=this.nextId++;return this.answers.set(r,s),this.socket?.send(JSON.stringify({type:e,id:r,...n})),r}forget(e){this.answers.delete(e)}tell(e,n){this.open&&this.socket?.send(JSON.stringify({type:e,...n}))}close(){this.closed=!0,this.socket?.close()}begin(){const e=this.connect();this.socket=e,e.binaryType="arraybuffer",e.onopen=()=>{this.open=!0,this.wait=Un,this.onChange(!0)},e.onclose=()=>{this.open=!1,this.awaiting=null,this.answers.clear(),!this.closed&&(this.onChange(!1),setTimeout(()=>{this.begin()},this.wait),this.wait=Math.min(2*this.wait,Do))},e.onmessage=({data:n})=>{this.receive(n)}}receive(e){if(typeof e=="string"){const n=JSON.parse(e);Array.isArray(n.binary)?this.awaiting=n:this.deliver(n,[])}else if(e instanceof ArrayBuffer&&this.awaiting!==null){const n=this.awaiting;this.awaiting=null,this.deliver(n,Wo(n.binary,e))}}deliver(e,n){const{id:s}=e;s!==void 0&&this.answers.get(s)?.(e,n)}}const zn={running:!1,fraction:0,matches:null,colours:[],fault:null,began:null},ut={recipe:{},locks:new Set},zo=400;class Bo{constructor(e){this.around=e,this.history=new Ro(ut),this.standardText=null,this.fitId=null,this.begun=!1,this.store=new Lt({connection:"connecting",schema:null,document:ut,canUndo:!1,canRedo:!1,paint:null,readings:null,readingsOf:null,fault:null,notOpened:null,latency_ms:null,settings:{geometries:"byk-mac",illuminant:"D65",observer:"10",tolerance:1},standard:null,sparkle:null,sparkleFraction:null,fit:zn,ownShape:null,ownLight:null,notice:""}),this.painting=new Co(s=>{this.sendPaint(s)}),this.session=new Uo(e.connect,s=>{s?this.connected():this.disconnected()}),this.viewer=new Li(this.session);let n=this.lamp;this.viewer.store.subscribe(()=>{this.lamp!==n&&(n=this.lamp,this.measure())}),this.atlas=new Ki(this.session,s=>{this.viewer.hold("atlas",s)}),this.sparkle=new No(this.store,this.session),this.ownFiles=new Xr(this.store,this.viewer,this.ask.bind(this))}async connected(){try{const e=this.store.get().schema??await this.around.schema();this.store.set({connection:"open",schema:e}),this.viewer.begin(e)}catch(e){this.say(`The server does not say what a paint has: ${Ve(e)}`);return}if(this.standardText!==null&&this.sendStandard(),this.ownFiles.bringAgain(),this.begun){this.measure();return}this.begun=!0,await this.openLink(this.around.fragment())||this.openFirst()}disconnected(){this.around.refused().then(s=>{s&&!this.session.isOpen&&this.store.set({connection:"refused"})}),this.painting.abandon(),this.viewer.hold("colours",!1),this.viewer.abandon(),this.atlas.stop(),this.ownFiles.abandon(),this.fitId=null;const{connection:e}=this.store.get();this.store.set({connection:e==="refused"?"refused":"gone"}),this.sparkle.abandon();const{fit:n}=this.store.get();n.running&&this.store.set({fit:{...n,running:!1,fault:"The server went away before the fit had ended."}})}openFirst(){const{schema:e}=this.store.get(),n=e?.start??e?.paints[0]?.toml;n!==void 0&&this.openText(n)}attach(e){const{schema:n}=this.store.get();n!==null&&this.viewer.attach(e,n,this.around.bytes),this.measure()}edit(e,n=null){const s=this.history.now;s===ut?this.history.begin(e(s)):this.history.push(e(s),n),this.changed()}endGesture(){this.history.endGesture()}undo(){this.history.undo(),this.changed()}redo(){this.history.redo(),this.changed()}changed(){this.store.set({document:this.history.now,canUndo:this.history.canUndo,canRedo:this.history.canRedo,notOpened:null}),this.measure(),clearTimeout(this.linkTimer),this.linkTimer=setTimeout(()=>{Wn(this.history.now).then(this.around.setFragment)},zo)}openText(e){const n=this.session.send("open",{toml:e},s=>{if(this.session.forget(n),s.type==="error"){this.store.set({notOpened:String(s.message)});return}const r=s.tree;this.edit(()=>({recipe:r,locks:new Set}))})}openFile(e){const{name:n}=e,s=jr(n);s!==null?this.ownFiles.bring(s,e):/\.(csv|json)$/i.test(n)?e.text().then(r=>{this.setStandard(r,n)}):e.text().then(r=>{this.openText(r)})}async openLink(e){try{const n=await Oo(e);return n===null?!1:(this.edit(()=>n),!0)}catch(n){return this.say(Ve(n)),!1}}say(e){this.store.set({notice:e})}setSettings(e){this.store.set({settings:{...this.store.get().settings,...e}}),this.measure()}get lamp(){const{view:e}=this.viewer.store.get();return(this.store.get().schema?.lights??[]).find(({name:s})=>s===e?.light)?.illuminant??"D65"}measure(){const{document:e,settings:n}=this.store.get();if(!this.session.isOpen||Object.keys(e.recipe).length===0)return;const{recipe:s}=e;this.viewer.hold("colours",!0);const r=this.around.now();this.painting.want({recipe:s,document:e,settings:n,lamp:this.lamp,since:r})}whenCurrent(e){const n=()=>{const r=this.store.get(),i=r.readingsOf===r.document;return i&&e(r),i||r.fault!==null||r.connection!=="open"};if(n())return;const s=this.store.subscribe(()=>{n()&&s()})}get settled(){return!this.painting.busy}sendPaint({recipe:e,document:n,settings:s,lamp:r,since:i}){const{geometries:o,illuminant:a,observer:c,tolerance:u}=s,h={recipe:e,geometries:o,illuminant:a,observer:c,tolerance:{limit:u},shader:n!==null&&this.viewer.wantsShader,lamp:r};let p=Promise.resolve();const d=this.session.send("paint",h,(f,m)=>{if(n===null){this.receiveMatch(d,f);return}switch(f.type){case"recipe":this.store.set({paint:f});break;case"readings":{const g=f;this.store.set({readings:g,readingsOf:n,fault:null}),p=new Promise(b=>{this.around.drawn(()=>{this.store.set({latency_ms:this.around.now()-i}),b()})});break}case"shader":p.then(()=>{this.viewer.shader(f,m)});break;case"error":this.store.set({fault:f}),this.answered(d,null);break;case"done":this.answered(d,n.recipe,p);break}})}answered(e,n,s=Promise.resolve()){this.session.forget(e),this.painting.finished(),n!==null&&this.viewer.paint(n),s.then(()=>{this.painting.busy||this.viewer.hold("colours",!1)}),this.measureMatch()}measureMatch(){const{fit:e,settings:n}=this.store.get(),s=e.matches?.[e.colours.length];if(s===void 0||this.painting.busy||!this.session.isOpen)return;const{recipe:r}=s,i=this.around.now();this.painting.want({recipe:r,document:null,settings:n,lamp:this.lamp,since:i})}receiveMatch(e,n){if(n.type==="readings"){const{fit:s}=this.store.get(),r=[...s.colours,n];this.store.set({fit:{...s,colours:r}})}else n.type==="done"?this.answered(e,null):n.type==="error"&&(this.session.forget(e),this.painting.finished())}setStandard(e,n){this.standardText=e===null?null:{csv:e,name:n},this.sendStandard()}sendStandard(){const{csv:e,name:n}=this.standardText??{csv:null,name:""},s=this.session.send("standard",{csv:e,name:n},r=>{if(this.session.forget(s),r.type==="error"){this.standardText=null,this.say(`The standard cannot be used: ${String(r.message)}`);return}const i=e===null?null:r;this.store.set({standard:i,notice:i?.notes.join(" ")??""}),this.measure()})}fit(e,n){const{document:s}=this.store.get();this.store.set({fit:{...zn,running:!0,began:s}});const r={recipe:s.recipe,free:e,starts:n};this.fitId=this.session.send("fit",r,i=>{const{fit:o}=this.store.get();if(i.type==="progress"){this.store.set({fit:{...o,fraction:Number(i.fraction)}});return}const a={...o,running:!1,fraction:1};if(i.type==="matches"){const c=i.matches;this.store.set({fit:{...a,matches:c,colours:[],fault:null}}),this.measureMatch()}else i.type==="error"&&this.store.set({fit:{...a,fault:String(i.message)}});this.fitId!==null&&this.session.forget(this.fitId),this.fitId=null})}stopFit(){this.fitId!==null&&(this.session.tell("stop",{what:"fit"}),this.session.forget(this.fitId),this.fitId=null,this.store.set({fit:{...this.store.get().fit,running:!1}}))}useMatch(e){this.edit(n=>({...n,recipe:e}))}copyLink(){Wn(this.history.now).then(e=>(this.around.setFragment(e),navigator.clipboard.writeText(this.around.address()))).then(()=>{this.say("The address of this page holds the paint; it was copied.")},()=>{this.say("The address of this page holds the paint; the browser did not let it be copied.")})}ask(e,n,s,r=()=>{}){if(!this.session.isOpen)return!1;const i=this.session.send(e,n,(o,a)=>{if(o.type==="progress"){r(Number(o.fraction));return}this.session.forget(i),s(o,a)});return!0}}const Gt=new URLSearchParams(location.search).get("token")??"",Ho=`?token=${encodeURIComponent(Gt)}`;async function Bn(t){const e=await fetch(t,{headers:{"X-Nacre-Token":Gt}});if(!e.ok)throw new Error(`${String(e.status)} ${e.statusText}: ${t}`);return e}const Go=new Bo({connect:()=>{const t=location.protocol==="https:"?"wss:":"ws:";return new WebSocket(`${t}//${location.host}/api/session${Ho}`)},schema:async()=>await(await Bn("/api/schema")).json(),bytes:async t=>(await Bn(t)).arrayBuffer(),refused:async()=>{try{const t={"X-Nacre-Token":Gt},{status:e}=await fetch("/api/schema",{method:"HEAD",headers:t});return e===401}catch{return!1}},now:()=>performance.now(),drawn:t=>{requestAnimationFrame(()=>{setTimeout(t)})},fragment:()=>location.hash,setFragment:t=>{history.replaceState(null,"",t)},address:()=>location.href});zs(l(Ao,{studio:Go}),document.body);
+}`,Yv=4,Kv=16,Ji=({textures:n})=>n[0],Ea=({textures:n})=>n[1];function qc(n){const e=["nacreField","nacreFieldLevels","nacreFieldKey"].map(t=>n.uniforms.find(i=>i.name===t)?.values);return JSON.stringify(e.map(t=>Array.from(t??[])))}class Zv{constructor(e){this.renderer=e,this.before=null,this.glitters=!1,this.screen=new bs(e,wo,qv),this.average=new bs(e,wo,$v)}ready(){return this.screen.ready()&&this.average.ready()}changePaint(e,t,i,r){let s=e;return t?.flakes===!0&&e.samples>=Kv&&(s=this.before?.sums??r(),this.before?.means?.dispose(),this.before={sums:e,flakes:qc(t),means:null}),this.glitters=i.flakes&&this.before?.flakes===qc(i),s}forget(){this.glitters=!1,this.before?.sums.delete(),this.before?.means?.dispose(),this.before=null}draw(e,t,i){const r=t!==null&&t.samples>0,s=this.glitters&&r?this.before:null,a=s?.sums??e,o=s===null?null:this.meansOf(s,t);this.screen.set({whole:Ji(e.target),wholeFlakes:Ea(e.target),coarse:Ji((t??e).target),before:Ji(a.target),beforeFlakes:Ea(a.target),beforeMeans:Ji(o??e.target),size:this.renderer.getDrawingBufferSize(new Xe).toArray(),enough:r?Yv:0,glitters:s===null?0:1,warn:i?1:0}),this.screen.draw(null)}meansOf(e,t){const{width:i,height:r}=t.target;if(e.means?.width===i&&e.means.height===r)return e.means;e.means?.dispose(),e.means=Eo(this.renderer,i,r,qt);const{target:s}=e.sums;return this.average.set({before:Ji(s),beforeFlakes:Ea(s),size:[i,r]}),this.average.draw(e.means),e.means}}function Jv(n,e,t){const{sun:i,rectangles:r,azimuth_deg:s}=n,a=Math.PI/180,o=i?er(i.direction,e):[0,0,1],l=i?Math.cos(i.angular_radius_deg*a):2,c=u=>{const p=new Float32Array(3*Kn);return p.set(r.flatMap(u)),p};return{azimuth:(s+e)*a,sun:[...o,l],sunRadiance:i?.rgb??[0,0,0],rectangleCount:r.length,corner:c(u=>Fv(u.corner,e,t)),edgeU:c(u=>er(u.edge_u,e)),edgeV:c(u=>er(u.edge_v,e)),rectangleNormal:c(u=>er(u.normal,e)),rectangleRadiance:c(u=>u.rgb)}}class Qv{constructor(e,t,i,r){this.renderer=e,this.type=r,this.samples=0,this.rows=0,this.target=Eo(e,t,i,r,{count:2}),this.shape=Eo(e,t,i,zt,{count:2,depth:!0})}added(e){this.rows+=e,!(this.rows<this.target.height)&&(this.rows=0,++this.samples)}means(){const{width:e,height:t}=this.target,i=new Float32Array(4*e*t);for(let r=0;r<this.target.textures.length;++r){const s=this.read(r);for(let a=0;a<i.length;a+=4){const o=1/Math.max(s[a+3],1);for(let l=a;l<a+3;++l)i[l]=i[l]+o*s[l];i[a+3]=1}}return{width:e,height:t,data:i}}delete(){this.target.dispose(),this.shape.dispose()}read(e){const{target:t,type:i}=this,{width:r,height:s}=t,a=4*r*s,o=c=>{this.renderer.readRenderTargetPixels(t,0,0,r,s,c,0,e)};if(i===zt){const c=new Float32Array(a);return o(c),c}const l=new Uint16Array(a);return o(l),Float32Array.from(l,c=>vp.fromHalfFloat(c))}}const jv=65504;function ex(n){const{width:e,height:t,rgb:i}=n,r=new Float32Array(4*e*t),s=new Float32Array(e*t);for(let u=0;u<e*t;++u){const[p,h,d]=[0,1,2].map(_=>Math.min(i[3*u+_],jv));r.set([p,h,d,1],4*u),s[u]=Math.max(.2126*p+.7152*h+.0722*d,0)}const a=new Float32Array(e*t),o=new Float32Array(t),l=new Float64Array(e);let c=0;for(let u=0;u<t;++u){let p=0;for(let h=0;h<e;++h){let d=1e-9;for(let _=Math.max(u-1,0);_<=Math.min(u+1,t-1);++_)for(const S of[h-1+e,h,h+1])d+=s[_*e+S%e];l[h]=p+=d}for(let h=0;h<e;++h)a[u*e+h]=l[h]/p;c+=p*(Math.cos(Math.PI*u/t)-Math.cos(Math.PI*(u+1)/t)),o[u]=c}for(let u=0;u<t;++u)o[u]=o[u]/c;return{width:e,height:t,picture:r,byColumn:a,byRow:o}}const tx=30,nx=4096,ix=24,rx=8,sx=6,ax=1024;class ox{constructor(e,t={}){this.canvas=e,this.options=t,this.paints=new Map,this.paintTextures=new Map,this.lightTextures={},this.transform=null,this.light=null,this.camera=null,this.turn_deg=0,this.lightTurn_deg=0,this.paint=null,this.nextPaint=null,this.warn=!1,this.sparkle=!0,this.whole=null,this.coarse=null,this.coarseness=3,this.speed=2e3,this.overhead_ms=16,this.frame_ms=0,this.underWay=null,this.request=0,this.dirty=!1,this.stopped=!1,this.held=!1,this.lost=!1,this.onLost=()=>{this.lost=!0,this.options.onFault?.("the graphics processor was lost")},this.renderer=Lv(e);const i=this.renderer.getContext().getExtension("EXT_float_blend")!==null;this.sumType=i?zt:qt,this.mostSamples=Math.min(t.samples??ax,i?1e6:128),this.shape=new bs(this.renderer,Vv,Wv,{depth:!0}),this.shown=new Zv(this.renderer),e.addEventListener("webglcontextlost",this.onLost)}setShape(e,t){this.shape.setMesh(e),this.transform=t,this.restart()}setLight(e){if(e.rectangles.length>Kn)throw new Error(`a light of ${String(e.rectangles.length)} rectangles: must be at most ${String(Kn)}`);const{width:t,height:i,picture:r,byColumn:s,byRow:a}=ex(e),o=(c,...u)=>{this.lightTextures[c]=Hc(this.lightTextures[c],...u)};o("surroundings","rgba16f",[t,i],r,{linear:!0,repeat:!0}),o("byColumn","r32f",[t,i],s),o("byRow","r32f",[i,1],a),this.light=e,this.restart()}setPaint(e){if(!this.paints.has(e.program)){const t=Xv(e.glsl,e.smoothCoat);this.paints.set(e.program,new bs(this.renderer,wo,t,{adds:!0}))}this.nextPaint=e,this.schedule()}setCamera(e){const t=JSON.stringify(e)===JSON.stringify(this.camera);this.camera=e,t||this.restart()}turn(e,t){const i=e==="shape"?this.turn_deg:this.lightTurn_deg;t!==i&&(e==="shape"?this.turn_deg=t:this.lightTurn_deg=t,this.restart())}setGamutWarning(e){this.warn=e,this.dirty=!0,this.schedule()}setSparkle(e){e!==this.sparkle&&(this.sparkle=e,this.restart())}resize(e,t){this.canvas.width===e&&this.canvas.height===t&&this.whole||(this.renderer.setSize(Math.max(1,e),Math.max(1,t),!1),this.whole?.delete(),this.whole=this.make(1),this.coarse?.delete(),this.coarse=null,this.restart())}get state(){return{samples:this.whole?.samples??0,compiling:this.nextPaint!==null,frame_ms:this.frame_ms,coarseness:this.coarseness}}pixels(){if(!this.whole)throw new Error("the picture has no size yet");return this.whole.means()}pause(){this.stopped=!0,cancelAnimationFrame(this.request),this.request=0}resume(){this.stopped=!1,this.dirty=!0,this.schedule()}hold(e){e!==this.held&&(this.held=e,e||this.schedule())}dispose(){this.pause(),this.canvas.removeEventListener("webglcontextlost",this.onLost),this.renderer.dispose(),this.renderer.forceContextLoss()}restart(){this.shown.forget(),this.whole&&(this.whole.samples=this.whole.rows=0),this.coarse&&(this.coarse.samples=this.coarse.rows=0),this.dirty=!0,this.schedule()}schedule(){this.request!==0||this.stopped||this.lost||(this.request=requestAnimationFrame(()=>{this.request=0;try{this.frame()}catch(e){this.nextPaint=null,this.options.onFault?.(e instanceof Error?e.message:String(e))}}))}frame(){const e=this.renderer.getContext();if(this.underWay!==null){const{sync:r,begun:s,work:a}=this.underWay;if(e.clientWaitSync(r,0,0)===e.TIMEOUT_EXPIRED){this.schedule();return}e.deleteSync(r),this.underWay=null,this.frame_ms=performance.now()-s,this.overhead_ms=Math.min(this.overhead_ms,this.frame_ms);const o=Math.max(this.frame_ms-this.overhead_ms,1);this.speed=.5*this.speed+.5*a/o}if(this.takePaint(),this.held&&!this.dirty){this.nextPaint!==null&&this.schedule();return}const t=performance.now(),i=this.draw();if((i>0||this.dirty)&&(this.display(),this.dirty=!1,this.options.onChange?.(this.state)),i>0){const r=e.fenceSync(e.SYNC_GPU_COMMANDS_COMPLETE,0);r!==null&&(this.underWay={sync:r,begun:t,work:i}),e.flush(),this.schedule()}else this.nextPaint!==null&&this.schedule()}takePaint(){const e=this.nextPaint,t=e===null?void 0:this.paints.get(e.program);if(!(e===null||t?.ready()!==!0)){this.nextPaint=null,this.whole&&(this.whole=this.shown.changePaint(this.whole,this.paint,e,()=>this.make(1))),this.paint=e,t.set(uf(e));for(const{name:i,size:r,data:s}of e.textures){const a={linear:r.length===3},o=Hc(this.paintTextures.get(i),"rgba16f",r,s,a);this.paintTextures.set(i,o)}t.set(Object.fromEntries(this.paintTextures)),this.whole&&(this.whole.samples=this.whole.rows=0),this.coarse&&(this.coarse.samples=this.coarse.rows=0),this.dirty=!0}}draw(){const{whole:e}=this;if(!e||!this.transform||!this.light||!this.camera||!this.paint||!this.shape.ready()||!this.shown.ready())return 0;const t=e.target.width*e.target.height,i=Math.max(tx*this.speed,nx);if(t<=i)return this.add(e,Math.min(i,8*t));if(e.samples===0&&e.rows===0){as(this.renderer,e.target);const s=Math.min(Math.ceil(Math.sqrt(t/i)),rx),a=this.coarseOf(s);if(a.samples===0)return this.add(a,t/s**2)}const{coarse:r}=this;return r&&r.samples>0&&r.samples<Math.min(ix,this.mostSamples)&&e.samples===0?this.add(r,i):this.add(e,i)}coarseOf(e){return(this.coarse===null||e>this.coarseness||e<.7*this.coarseness)&&(this.coarseness=e,this.coarse?.delete(),this.coarse=this.make(e)),this.coarse}make(e){const t=Math.max(1,Math.ceil(this.canvas.width/e)),i=Math.max(1,Math.ceil(this.canvas.height/e));return new Qv(this.renderer,t,i,this.sumType)}add(e,t){const{width:i,height:r}=e.target;e.samples===0&&e.rows===0&&as(this.renderer,e.target);let s=0;for(;s<.75*t&&e.samples<this.mostSamples;){const a=this.sparkle&&e===this.whole&&this.paint?.flakes===!0,{asks:o,part:l}=kv(e.samples,a),c=o?sx*i:i,u=Math.max(1,Math.min(r-e.rows,Math.round((t-s)/c))),p=Ov(this.camera,this.canvas.width/this.canvas.height);e.rows===0&&this.drawShape(e.shape,p,l.place),this.shade(e,p,l,u,a,o),s+=u*c,e.added(u)}return s}drawShape(e,t,i){const r=this.camera,s=this.transform,a=[-2*i[0]/e.width,-2*i[1]/e.height];this.shape.set({toWorld:Vh(s,this.turn_deg,r.target_mm),toScreen:Bv(t,r.distance_mm,a)}),as(this.renderer,e),this.shape.draw(e)}shade({target:e,shape:t,samples:i,rows:r},s,a,o,l,c){const u=this.paint,p=this.camera,h=zv(this.transform,this.turn_deg,p.target_mm),d=this.paints.get(u.program);d.set({...this.lightTextures,...Jv(this.light,this.lightTurn_deg,p.target_mm),placeAt:t.textures[0],facingAt:t.textures[1],eye:s.place,ahead:s.ahead,across:s.across,upwards:s.upwards,size:[e.width,e.height],shift:a.place,...Gv(h,a,l,c),sampleIndex:i}),d.draw(e,[r,o])}display(){this.whole&&this.shown.ready()&&this.shown.draw(this.whole,this.coarse,this.warn)}}const lx=512;class cx{constructor(e,t,i,r,s){this.canvas=e,this.schema=t,this.bytes=i,this.onFault=s,this.texts=new Map,this.meshes=new Map,this.lights=new Map,this.shape="",this.light="",this.view=new ox(e,{onChange:({samples:a})=>{r(a)},onFault:s})}add(e,t,i){this.schema=e,t.mesh!==void 0&&this.meshes.set(i,Promise.resolve(t.mesh)),t.light!==void 0&&this.lights.set(i,Promise.resolve(t.light))}show(e,t,i){const r=this.schema.shapes.find(({name:a})=>a===e.shape);if(r===void 0||t*i===0)return;if(this.shape!==e.shape){this.shape=e.shape;const a=Yc(this.meshes,e.shape,()=>this.bytes(`/api/shape/${encodeURIComponent(e.shape)}`).then(Ju));this.when(a,o=>{this.shape===e.shape&&this.view.setShape(o,r.transform)})}if(this.light!==e.light){this.light=e.light;const a=Yc(this.lights,e.light,()=>this.bytes(`/api/light/${encodeURIComponent(e.light)}?width=${String(lx)}`).then(Qu));this.when(a,o=>{this.light===e.light&&this.view.setLight(o)})}this.view.resize(t,i);const s=Zu(e.camera,t,i);this.view.setCamera({...s,target_mm:r.camera.target_mm}),this.view.turn("shape",e.turn_deg),this.view.turn("light",e.light_turn_deg),this.view.setSparkle(e.sparkle)}setPaint(e,t){return e.problem!==void 0?!1:(this.view.setPaint(hf(e,t,this.texts)),!0)}pause(e){e?this.view.pause():this.view.resume()}hold(e){this.view.hold(e)}setGamutWarning(e){this.view.setGamutWarning(e)}snapshot(){const{width:e,height:t}=this.canvas,i=document.createElement("canvas");i.width=e,i.height=t;const r=i.getContext("2d");if(r===null)return null;r.drawImage(this.canvas,0,0);const s=r.getImageData(0,0,e,t).data;return{width:e,height:t,pixels:s,samples:0,of:0}}when(e,t){e.then(t).catch(i=>{this.onFault(i instanceof Error?i.message:String(i))})}}function Yc(n,e,t){const i=n.get(e)??t();return n.set(e,i),i.catch(()=>n.delete(e)),i}function Xh({picture:n,recipe:e,view:t}){return n!==null&&n.recipe===e&&n.view===t}function Ts(n){const{picture:e,liveSamples:t}=n;return e===null||t===null?e!==null:!n.gamutWarning&&Xh(n)&&e.samples>=n.enough}function ux({kept:n,keptRecipe:e,view:t}){return n!==null&&n.recipe===e&&n.view===t&&n.samples>=$h}const hx=250,Kc=64,$h=16,dx=3,fx=7e5,Zc=16;class px{constructor(e){this.session=e,this.store=new ko({view:null,picture:null,keptRecipe:null,kept:null,fault:null,recipe:null,liveSamples:null,gamutWarning:!1,enough:Zc}),this.live=null,this.size={width:0,height:0},this.meanModel="",this.withLines=new Set,this.underWay=null,this.quickWanted=!1,this.holders=new Set,this.postponed=!1}hold(e,t){t?this.holders.add(e):this.holders.delete(e),this.live?.hold(this.holders.has("colours")),t?this.underWay?.job.quick===!1&&(this.postponed=this.stop()):this.holders.size===0&&this.postponed&&this.startLater()}add(e,t,i){this.live?.add(e,t,i)}resize(e,t){e===this.size.width&&t===this.size.height||(this.size={width:e,height:t},this.store.get().liveSamples!==null&&this.store.set({picture:null}),this.refresh())}begin(e){this.meanModel=e.mean_model;for(const{name:i,illuminant:r}of e.lights)r.startsWith("FL")&&this.withLines.add(i);if(this.store.get().view!==null)return;const t=e.shapes.find(({name:i})=>i==="ball")??e.shapes[0];t!==void 0&&this.setShape(e,t.name,!0)}setShape(e,t,i){const r=e.shapes.find(a=>a.name===t);if(r===void 0)return;const{view:s}=this.store.get();this.store.set({view:{shape:t,light:s===null||i?r.light:s.light,camera:Ku(r),turn_deg:0,light_turn_deg:s?.light_turn_deg??0,sparkle:s?.sparkle??!0}}),this.refresh()}setView(e){const{view:t}=this.store.get();t!==null&&(this.store.set({view:{...t,...e}}),this.refresh())}paint(e){e!==this.store.get().recipe&&(this.store.set({recipe:e}),this.refresh())}attach(e,t,i){const r=s=>{this.live=null,this.store.set({liveSamples:null,fault:`No live picture: ${s}`})};try{const s=a=>{this.store.get().liveSamples!==null&&(this.store.set({liveSamples:a}),this.pauseWhenCovered())};this.live=new cx(e,t,i,s,r)}catch(s){r(s instanceof Error?s.message:String(s))}}get wantsShader(){return this.live!==null}shader(e,t){const i=this.live?.setPaint(e,t)===!0;this.store.set({liveSamples:i?0:null})}setGamutWarning(e){this.store.set({gamutWarning:e}),this.live?.setGamutWarning(e),e?this.live?.pause(!1):this.pauseWhenCovered()}keep(e){this.store.set({keptRecipe:e,kept:e===null?null:this.shown(e)}),this.refresh()}pauseWhenCovered(){const e=this.store.get();Ts(e)&&this.live?.pause((e.liveSamples??0)>0)}shown(e){const t=this.store.get(),i=Ts(t)||t.view===null?null:this.live?.snapshot();return i==null||t.view===null?t.picture:{...i,recipe:e,view:t.view}}abandon(){this.underWay=null,this.quickWanted=!1,clearTimeout(this.timer)}refresh(){clearTimeout(this.timer);const e=this.store.get().view?.light??"";if(this.store.set({enough:this.withLines.has(e)?Kc:Zc}),this.underWay?.job.quick===!0){this.quickWanted=!0;return}this.stop(),this.quickWanted=this.postponed=!1;const{view:t,liveSamples:i}=this.store.get();this.live?.pause(!1),t!==null&&this.live?.show(t,this.size.width,this.size.height),i===null?this.start(!0,!1):this.startLater()}stop(){return this.underWay===null?!1:(this.session.tell("stop",{what:"render"}),this.session.forget(this.underWay.id),this.underWay=null,!0)}startLater(){clearTimeout(this.timer),this.timer=setTimeout(()=>{this.start(!1,!1)},hx)}start(e,t){const{view:i,keptRecipe:r,recipe:s}=this.store.get(),a=t?r:s,{width:o,height:l}=this.size;if(a===null||i===null||o*l===0||!this.session.isOpen||(this.postponed=this.holders.size>0&&!e,this.postponed))return;const c=Math.min(1,Math.sqrt(fx/(o*l)))/(e?dx:1),u={recipe:a,view:i,kept:t,quick:e},{sparkle:p,...h}=i,d={recipe:a,...p?{}:{model:this.meanModel},scene:{...h,camera:Zu(i.camera,o,l)},width:Math.max(16,Math.round(o*c)),height:Math.max(16,Math.round(l*c)),samples:e?1:t?$h:Kc},_=this.session.send("render",d,(S,m)=>{this.received(_,u,S,m)});this.underWay={id:_,job:u}}received(e,t,i,r){if(i.type==="picture"){const s=mx(t,i,r);if(this.store.set(t.kept?{kept:s}:{picture:s,fault:null}),this.pauseWhenCovered(),s.samples<s.of)return}else if(i.type==="error")this.store.set({fault:String(i.message)});else if(i.type!=="done")return;if(this.underWay?.id===e){if(this.session.forget(e),this.underWay=null,this.quickWanted)this.refresh();else if(t.quick)this.startLater();else if(!t.kept){const s=this.store.get();s.keptRecipe!==null&&!ux(s)&&this.start(!1,!0)}}}}function mx(n,e,t){const i=t.find(({name:l})=>l==="rgb"),[r,s]=i?.shape??[];if(i===void 0||r===void 0||s===void 0)throw new Error("a picture came without its pixels");const a=i.data,o=new Uint8ClampedArray(s*r*4);for(let l=0,c=0;l<o.length;l+=4,c+=3)o[l]=a[c],o[l+1]=a[c+1],o[l+2]=a[c+2],o[l+3]=255;return{width:s,height:r,pixels:o,samples:Number(e.samples),of:Number(e.of),recipe:n.recipe,view:n.view}}function gx(){return b("section",{class:"picture-panel","aria-label":"Picture",children:[b(_x,{}),b(vx,{}),b(xx,{})]})}function _x(){const n=ct(),e=we(s=>s.schema),t=kt(s=>s.view),i=kt(s=>s.keptRecipe),r=we(s=>s.ownShape);return b("div",{class:"picture-bar",children:[b(Jc,{label:"Shape",chosen:t?.shape??"",entries:e?.shapes??[],own:{text:"Own mesh …",files:$o},choose:s=>{e!==null&&n.viewer.setShape(e,s,!1)},bring:s=>void n.ownFiles.bring("shape",s)}),r!==null&&r.name===t?.shape&&!/\.gl(tf|b)$/i.test(r.file.name)&&b("button",{type:"button",class:"small","aria-pressed":r.yUp,title:"The file's vertical is y, not z",onClick:()=>void n.ownFiles.bring("shape",r.file,!r.yUp),children:"Y up"}),b(Jc,{label:"Light",chosen:t?.light??"",entries:e?.lights??[],own:{text:"Own HDR …",files:qo},choose:s=>{n.viewer.setView({light:s})},bring:s=>void n.ownFiles.bring("light",s)}),b("button",{type:"button",title:"Turn back to where the shape began",onClick:()=>{const s=e?.shapes.find(({name:a})=>a===t?.shape);s!==void 0&&n.viewer.setView({camera:Ku(s),turn_deg:0,light_turn_deg:0})},children:"Front"}),b("span",{class:"gap"}),b("button",{type:"button","aria-pressed":i!==null,title:i===null?"Keep the paint as it is now as A, and see changes beside it":"Stop comparing",onClick:()=>{const{recipe:s}=n.store.get().document;n.viewer.keep(i===null?s:null)},children:i===null?"Keep as A":"A | B"}),i!==null&&b("button",{type:"button",title:"Make A the paint again; the present one can be had back by undo",onClick:()=>{n.useMatch(i)},children:"Back to A"})]})}function Jc(n){const{label:e,chosen:t,entries:i,own:r}=n,s=wt(null);return b(Ht,{children:[b("select",{"aria-label":e,title:i.find(({name:a})=>a===t)?.title,value:t,onChange:a=>{const{value:o}=a.currentTarget;a.currentTarget.value=t,o===""?s.current?.click():n.choose(o)},children:[i.map(({name:a,title:o})=>b("option",{value:a,children:o},a)),b("option",{value:"",children:r.text})]}),b("input",{ref:s,type:"file",accept:r.files,class:"hidden",tabIndex:-1,"aria-label":r.text.replace(" …",""),onChange:a=>{const[o]=a.currentTarget.files??[];a.currentTarget.value="",o!==void 0&&n.bring(o)}})]})}const Qc=.4,Wr=5;function jc(n,e){const t=n?.getContext("2d");if(n===null||t===null||t===void 0)return;if(e===null){t.clearRect(0,0,n.width,n.height);return}(n.width!==e.width||n.height!==e.height)&&(n.width=e.width,n.height=e.height);const i=e.pixels;t.putImageData(new ImageData(i,e.width,e.height),0,0)}function vx(){const n=ct(),e=wt(null),t=wt(null),i=wt(null),r=wt(null),s=we(v=>v.schema!==null),a=kt(Ts),o=kt(v=>v.picture),l=kt(v=>v.kept),c=kt(v=>v.keptRecipe),u=kt(v=>v.view),p=we(v=>v.document.recipe.name),[h,d]=tn(.5),_=wt(null);fi(()=>{const v=e.current;if(v===null)return;const w=new ResizeObserver(()=>{n.viewer.resize(v.clientWidth,v.clientHeight)});return w.observe(v),()=>{w.disconnect()}},[n]),fi(()=>{s&&r.current!==null&&n.attach(r.current)},[n,s]),ds(()=>{jc(t.current,o)},[o]),ds(()=>{jc(i.current,l)},[l]);const S=(v,w,y,A=1)=>{if(u===null)return;const R=y?{light_turn_deg:Xl(u.light_turn_deg+v)}:{turn_deg:Xl(u.turn_deg+v),camera:af(u.camera,w,A)};n.viewer.setView(R)},m=v=>{const y={ArrowLeft:[-Wr,0,1],ArrowRight:[Wr,0,1],ArrowUp:[0,Wr,1],ArrowDown:[0,-Wr,1],"+":[0,0,1.2],"-":[0,0,.8333333333333334]}[v.key];y!==void 0&&(v.preventDefault(),S(y[0],y[1],v.shiftKey,y[2]))},f=`${typeof p=="string"?p:"The paint"}, ${u?.shape??""}, ${u?.light??""}`;return b("div",{class:"picture stage",ref:e,children:[b("div",{class:"turnable",role:"application",tabIndex:0,"aria-label":`Picture: ${f}. Arrow keys turn the shape, with Shift the light; plus and minus bring it nearer.`,onKeyDown:m,onPointerDown:v=>{v.button===0&&(v.currentTarget.setPointerCapture(v.pointerId),_.current={x:v.clientX,y:v.clientY})},onPointerMove:v=>{const w=_.current;if(w===null)return;const y=(v.clientX-w.x)*Qc,A=(v.clientY-w.y)*Qc;_.current={x:v.clientX,y:v.clientY},S(y,A,v.shiftKey)},onPointerUp:()=>{_.current=null},onPointerCancel:()=>{_.current=null},onWheel:v=>{v.preventDefault(),S(0,0,!1,Math.exp(-v.deltaY/600))},children:[b("canvas",{ref:r,class:a?"live":"live now"}),b("canvas",{ref:t,class:a?"traced now":"traced",width:"16",height:"16"}),c!==null&&b("div",{class:"wiped",style:{clipPath:`inset(0 ${String(100-100*h)}% 0 0)`},children:b("canvas",{ref:i,width:"16",height:"16"})})]}),c!==null&&b(Ht,{children:[b("span",{class:"side a",children:"A"}),b("span",{class:"side b",children:"B"}),b("div",{class:"wipe-line",style:{left:`${String(100*h)}%`}}),b("input",{class:"wipe",type:"range",min:"0",max:"1",step:"0.01",value:h,"aria-label":"Wipe between A, kept, and B, as it is now",onInput:v=>{d(Number(v.currentTarget.value))}})]})]})}function xx(){const n=kt(d=>d.picture),e=kt(d=>d.fault),t=we(d=>d.readings),i=t?.out_of_gamut.filter(Boolean).length??0,r=kt(d=>d.liveSamples),s=kt(Ts),a=kt(Xh),o=kt(d=>d.gamutWarning),l=kt(d=>d.view?.sparkle??!0),c=ct(),u=n!==null&&n.of>1&&(a||r===null)?n:null,p=u===null?"":`${String(u.samples)} of ${String(u.of)}`,h=r!==null&&!s?`Live${u===null?"":`, path traced ${p}`}`:u!==null?`Path traced, ${p}`:n===null?"No picture yet":"Draft";return b("div",{class:"picture-foot",children:[b("span",{class:"how-far",title:e??"Samples a pixel of the path tracer's picture",children:e??h}),b("progress",{max:u?.of??1,value:u?.samples??0,"aria-label":"Samples of the picture"}),b("label",{title:"Single flakes, or their mean",children:[b("input",{type:"checkbox",checked:l,onChange:d=>{c.viewer.setView({sparkle:d.currentTarget.checked})}})," ","Sparkle"]}),r!==null&&b("label",{title:"Colours outside of sRGB, in the live picture",children:[b("input",{type:"checkbox",checked:o,onChange:d=>{c.viewer.setGamutWarning(d.currentTarget.checked)}})," ","Mark"]}),b("span",{class:"gamut",role:"status",title:"Angles whose colours are outside of sRGB",children:i>0?`${String(i)} of ${String(t?.lab.length??0)} outside sRGB`:""})]})}function Sx(n){const{tabs:e,chosen:t,onChoose:i}=n,r=wt(null),s=e.findIndex(({name:o})=>o===t),a=o=>{const l=o.key==="ArrowRight"?(s+1)%e.length:o.key==="ArrowLeft"?(s+e.length-1)%e.length:o.key==="Home"?0:o.key==="End"?e.length-1:null,c=l===null?void 0:e[l];l===null||c===void 0||(o.preventDefault(),i(c.name),r.current?.children[l]?.focus())};return b("section",{class:"tabs","aria-label":n.label,children:[b("div",{role:"tablist","aria-label":n.label,ref:r,onKeyDown:a,children:e.map(({name:o,title:l})=>b("button",{type:"button",role:"tab",id:`tab-${o}`,"aria-selected":o===t,"aria-controls":`panel-${o}`,tabIndex:o===t?0:-1,onClick:()=>{i(o)},children:l},o))}),e.filter(({name:o})=>o===t).map(({name:o,panel:l})=>b("div",{role:"tabpanel",id:`panel-${o}`,"aria-labelledby":`tab-${o}`,tabIndex:0,children:l()},o))]})}const qn=Math.PI/180;function qh(n){return Math.hypot(n[1],n[2])}function Mx(n){if(qh(n)<1e-9)return 0;const e=Math.atan2(n[2],n[1])/qn;return e<0?(e+360)%360:e}function eu(n,e){if(n===0&&e===0)return 0;const t=Math.atan2(e,n)/qn;return t<0?t+360:t}function yx(n,e){const[t,i,r]=n,[s,a,o]=e,l=((Math.hypot(i,r)+Math.hypot(a,o))/2)**7,c=1+.5*(1-Math.sqrt(l/(l+25**7))),u=Math.hypot(c*i,r),p=Math.hypot(c*a,o),h=eu(c*i,r),d=eu(c*a,o),_=u*p===0;let S=_?0:d-h;S>180?S-=360:S<-180&&(S+=360);const m=s-t,f=p-u,v=2*Math.sqrt(u*p)*Math.sin(S*qn/2),w=(t+s)/2,y=(u+p)/2;let A=h+d;_||(Math.abs(h-d)>180&&(A+=A<360?360:-360),A/=2);const R=1-.17*Math.cos((A-30)*qn)+.24*Math.cos(2*A*qn)+.32*Math.cos((3*A+6)*qn)-.2*Math.cos((4*A-63)*qn),g=1+.015*(w-50)**2/Math.sqrt(20+(w-50)**2),E=1+.045*y,U=1+.015*y*R,P=30*Math.exp(-(((A-275)/25)**2)),D=-2*Math.sqrt(y**7/(y**7+25**7))*Math.sin(2*P*qn),[G,W,I]=[m/g,f/E,v/U];return Math.sqrt(G*G+W*W+I*I+D*W*I)}const Ex=[[3.08039909,-1.53738318,-.54301591],[-.92122336,1.8759675,.04525586],[.05287394,-.20397696,1.15110302]];function bx(n){const e=(n[0]+16)/116,[t,i,r]=[e+n[1]/500,e,e-n[2]/200].map(s=>s>6/29?s**3:3*(6/29)**2*(s-4/29));return Ex.map(([s,a,o])=>s*t+a*i+o*r)}const tu=1/255;function ti(n){const e=bx(n),t=Math.max(...e,1);return{css:"#"+e.map(s=>{const a=Math.min(Math.max(s/t,0),1);return a<=.0031308?12.92*a:1.055*a**(1/2.4)-.055}).map(s=>Math.round(255*s).toString(16).padStart(2,"0")).join(""),tooBright:t>1+tu,outOfGamut:Math.min(...e)<-tu*t}}function To(n,e,t){const i=(e-n)/t,r=10**Math.floor(Math.log10(i)),s=([1,2,5,10].find(o=>o*r>=i*.999)??10)*r,a=[];for(let o=Math.ceil(n/s-1e-9);o*s<=e+1e-9*s;++o)a.push(Number((o*s).toPrecision(12)));return a}function nu(n){let[e,t]=[1/0,-1/0];for(const i of n)e=Math.min(e,i),t=Math.max(t,i);return e<=t?[e,t]:[0,1]}function wx(n,e,t,i){const r=n.map((l,c)=>({height:l,i:c})).sort((l,c)=>l.height-c.height),s=new Array(n.length).fill(0);let a=-1/0;for(const{height:l,i:c}of r)a=Math.max(l,a+e,t),s[c]=a;let o=i+e;for(const{i:l}of r.reverse())o=Math.min(s[l],o-e),s[l]=o;return s}function Ao(n,e){const{width:t,height:i}=e,r=e.named??!1,s=Math.max(...n.map(y=>y.label.length)),a={left:46,right:r?14+6.6*s:12,top:10,bottom:38},o={w:t-a.left-a.right,h:i-a.top-a.bottom};let[l,c]=e.x??nu(n.flatMap(y=>[...y.x])),[u,p]=e.y??nu(n.flatMap(y=>[...y.y]));if(c<=l&&([l,c]=[l-1,l+1]),p<=u&&(p=u+1),e.square??!1){const y=Math.max((c-l)/o.w,(p-u)/o.h)*1.12,[A,R]=[(l+c)/2,(u+p)/2];[l,c]=[A-y*o.w/2,A+y*o.w/2],[u,p]=[R-y*o.h/2,R+y*o.h/2]}const h=y=>a.left+(y-l)/(c-l)*o.w,d=y=>a.top+(1-(y-u)/(p-u))*o.h,_=y=>y.toFixed(1),S=y=>String(y).replace("-","−"),m=Bt("svg",{viewBox:`0 0 ${String(t)} ${String(i)}`,class:"plot",role:"img","aria-label":e.describedAs}),[f,v]=[a.top+o.h,a.left+o.w];for(const y of To(l,c,o.w/70)){const A=y===0&&(e.square??!1)?"axis":"grid";m.append(Bt("path",{class:A,d:`M${_(h(y))} ${String(a.top)}V${_(f)}`}),Bt("text",{x:_(h(y)),y:_(f+15),"text-anchor":"middle"},S(y)))}for(const y of To(u,p,o.h/40)){const A=y===0?"axis":"grid";m.append(Bt("path",{class:A,d:`M${String(a.left)} ${_(d(y))}H${_(v)}`}),Bt("text",{x:a.left-6,y:_(d(y)+3.5),"text-anchor":"end"},S(y)))}m.append(Bt("text",{class:"label",x:_(a.left+o.w/2),y:i-4,"text-anchor":"middle"},e.xLabel),Bt("text",{class:"label",transform:`translate(11 ${_(a.top+o.h/2)}) rotate(-90)`,"text-anchor":"middle"},e.yLabel));const w=[];for(const y of n){const A=y.x.map((P,D)=>({x:h(P),y:d(y.y[D])})),R=A.map(({x:P,y:D},G)=>`${G===0?"M":"L"}${_(P)} ${_(D)}`).join(""),g=(y.pointColours??[]).map((P,D)=>{const{x:G,y:W}=A[D];return Bt("circle",{cx:_(G),cy:_(W),r:4.5,style:`fill:${P}`})}),E=Bt("g",{class:y.dashed??!1?"curve dashed":"curve"});E.dataset.label=y.label,E.append(Bt("title",{},y.label),Bt("path",{class:"casing",d:R}),Bt("path",{class:"line",d:R,style:`stroke:${y.colour}`}),...g),m.append(E);const U=A[A.length-1];U!==void 0&&w.push({...U,label:y.label})}if(r){const y=wx(w.map(A=>A.y+3.5),11.5,a.top+4,f+3);w.forEach((A,R)=>{const g=y[R];m.append(Bt("path",{class:"leader",d:`M${_(v+1)} ${_(A.y)}L${_(v+8)} ${_(g-3.5)}`}),Bt("text",{x:v+10,y:_(g),"text-anchor":"start"},A.label))})}return m}const Tx=60,Ax=5,Rx=250;function Cx(n,{low:e,high:t}){if(!(t>e))return[];const i=Ii((t-e)/Tx),r=[];for(let s=Math.ceil(e/i-1e-9);s*i<=t+1e-9*i;++s){const a=Number((s*i).toPrecision(12));wd(n,a)&&r.push(a)}return r}class Px{constructor(e,t){this.session=e,this.onBusy=t,this.store=new ko({atlas:null,busy:!1,fraction:0,fault:null}),this.wanted="",this.underWay=null}want(e,t,i,r){const{geometries:s,illuminant:a,observer:o}=r,l={recipe:Ps(e,t,i[0]),key:ht(t),values:i,geometries:s,illuminant:a,observer:o},c=JSON.stringify(l);if(c===this.wanted||i.length===0)return;this.stop(),this.wanted=c,this.setBusy(!0);const u=i.length-1,p=i.filter((h,d)=>d%Ax===0||d===u);this.timer=setTimeout(()=>{this.ask({...l,values:p},()=>{this.ask(l,()=>{this.setBusy(!1)})})},Rx)}stop(){clearTimeout(this.timer),this.store.get().busy&&(this.wanted=""),this.underWay!==null&&(this.session.tell("stop",{what:"atlas"}),this.session.forget(this.underWay),this.underWay=null),this.setBusy(!1)}setBusy(e){e!==this.store.get().busy&&(this.store.set({busy:e,fraction:0}),this.onBusy(e))}ask(e,t){if(!this.session.isOpen){this.stop();return}const i=this.session.send("atlas",e,r=>{if(r.type==="progress"){this.store.set({fraction:Number(r.fraction)});return}if(this.session.forget(i),this.underWay=null,r.type==="error"){this.store.set({fault:String(r.message)}),this.setBusy(!1);return}this.store.set({fault:null,atlas:r}),t()});this.underWay=i}}function Lx(n){const e=/^([\d.]+)as(-?[\d.]+)(az-?[\d.]+)?$/.exec(n);if(e===null){const i=/^([\d.]+)to/.exec(n);return{name:n,lamp:i===null?NaN:Number(i[1]),aspecular:null}}const t=e[3]===void 0;return{name:n,lamp:Number(e[1]),aspecular:t?Number(e[2]):null}}function Yh(n){const e=new Map;n.forEach((t,i)=>{const{lamp:r,aspecular:s}=Lx(t);if(s===null)return;const a=e.get(r)??[];a.push({index:i,lamp:r,aspecular:s}),e.set(r,a)});for(const t of e.values())t.sort((i,r)=>i.aspecular-r.aspecular);return e}function ll(n){const e=[...Yh(n)].map(([r,s])=>({title:`Lamp at ${String(r)}°`,places:s.map(({index:a,aspecular:o})=>({i:a,label:`${et(o,1).replace(/\.0$/,"")}°`}))})),t=new Set(e.flatMap(({places:r})=>r.map(({i:s})=>s))),i=n.map((r,s)=>({i:s,label:ur(r)})).filter(({i:r})=>!t.has(r));return i.length>0&&e.push({title:"Off the plane",places:i}),e}function zs(n,e){const{standard:t,geometries:i}=n,r=t?.geometries.indexOf(i[e])??-1;return t?.lab[r]??null}function Dx(){const n=we(r=>r.readings),e=we(r=>r.fault===null),t=we(r=>r.readingsOf===r.document);if(n===null)return b("div",{class:"stage chips","aria-busy":"true"});const i=ll(n.geometries);return b("div",{class:e?"stage chips":"stage chips old",role:"group","aria-label":"Chips","data-current":t,children:[n.standard?.problem!==void 0&&b("p",{class:"problem",children:n.standard.problem}),i.map(r=>b("section",{"aria-label":r.title,children:[i.length>1&&b("h3",{children:r.title}),b("ol",{class:"chip-row",children:r.places.map(({i:s,label:a})=>b(Ix,{readings:n,i:s,label:a},s))})]},r.title))]})}function Ix({readings:n,i:e,label:t}){const i=n.lab[e],r=zs(n,e),s=n.standard,a=s?.delta_e_2000?.[e],o=s?.passes?.[e],l=[n.out_of_gamut[e]===!0?"outside sRGB, clipped":"",n.too_bright[e]===!0?"brighter than white, dimmed":""].filter(Boolean),c=`L* ${et(i[0],2)}, a* ${et(i[1],2)}, b* ${et(i[2],2)}`;return b("li",{class:"chip","data-geometry":n.geometries[e],"data-lab":i.join(" "),title:[ur(n.geometries[e]),c,...l].join(`
+`),children:[b("div",{class:"faces",children:[r!==null&&b("i",{style:{background:ti(r).css}}),b("i",{style:{background:ti(i).css}}),l.length>0&&b("abbr",{"aria-label":l.join(", "),children:"!"})]}),b("b",{children:t.split(/(?=az)/).map(u=>b(Ht,{children:[u,b("wbr",{})]},u))}),b("span",{class:"lightness",children:[b("span",{class:"hidden",children:"L* "}),et(i[0],1)]}),s!==null&&b("span",{class:o===!1?"delta fails":"delta",children:[b("span",{class:"hidden",children:"Delta E "}),et(a,2),o===!1&&b("abbr",{title:"beyond the tolerance",children:" ✗"}),o===!0&&b("abbr",{title:"within the tolerance",children:" ✓"})]})]})}function iu({path:n}){return n[n.length-1]==="thickness_nm"}function Nx(){const n=ct(),e=we(E=>E.schema),t=we(E=>E.document),i=we(E=>E.fault===null),r=we(E=>E.settings),s=we(E=>E.connection==="open"),a=Kr(E=>E.fault),[o,l]=tn(null),[c,u]=tn(new Map),{recipe:p}=t,h=pi(()=>e===null?[]:ku(e,p),[e,p]),d=h.filter(iu),_=E=>h.find(({path:U})=>ht(U)===E),S=d.find(({path:E})=>E.includes("coats"))??d[0],m=_(o)??S??h[0],f=m===void 0?"":ht(m.path),v=Ux(m,c.get(f)),w=pi(()=>m===void 0||v===null?[]:Cx(m.info,v),[m?.info,v?.low,v?.high]);if(fi(()=>{m===void 0||!i||!s||n.atlas.want(p,m.path,w,r)},[n,p,f,w,r,i,s]),fi(()=>()=>{n.atlas.stop()},[n]),m===void 0||v===null)return null;const{label:y,unit:A}=Xt(m.info.key),R=({path:E,info:U})=>{const P=hr(p,E),D=Xt(U.key).label+(P===""?"":`, ${P}`);return b("option",{value:ht(E),children:D},ht(E))},g=E=>{u(new Map(c).set(f,{...v,...E}))};return b("div",{class:"atlas",children:[b("div",{class:"atlas-bar",children:[b("select",{"aria-label":"Number of the atlas",value:f,onChange:E=>{l(E.currentTarget.value)},children:[d.length>0&&b("optgroup",{label:"Films",children:d.map(R)}),b("optgroup",{label:"Other numbers",children:h.filter(E=>!iu(E)).map(R)})]}),b("span",{children:"From"}),b(ru,{label:"From",value:v.low,set:E=>{g({low:E})}}),b("span",{children:"to"}),b(ru,{label:"To",value:v.high,set:E=>{g({high:E})}}),b("span",{children:A})]}),w.length===0?b("p",{class:"fault-line",children:["Between ",Fn(v.low)," and ",Fn(v.high)," ",A," nothing is allowed."]}):a!==null?b("p",{class:"fault-line",children:a}):b(Fx,{of:f,label:y,unit:A,now:m.value,locked:t.locks.has(f),take:E=>{n.edit(U=>Ln(U,m.path,E))}})]})}function Ux(n,e){const t=wt(null);if(n===void 0)return null;if(e!==void 0)return e;const{path:i,info:r,value:s}=n,a=ht(i),o=t.current;if(o?.name===a&&s>=o.ends.low&&s<=o.ends.high)return o.ends;const{low:l,high:c}=Wu(r,s);return t.current={name:a,ends:{low:l,high:c}},t.current.ends}function ru(n){return b("input",{type:"number",step:"any","aria-label":n.label,value:n.value,onChange:e=>{const t=e.currentTarget.valueAsNumber;Number.isFinite(t)?n.set(t):e.currentTarget.value=String(n.value)}})}function Fx(n){const{now:e,take:t,unit:i}=n,r=Kr(g=>g.atlas),s=Kr(g=>g.busy),a=we(g=>g.readings),o=Kr(g=>g.fraction),[l,c]=tn(null),u=r?.key===n.of?r:null,p=pi(()=>u===null?[]:Ox(u),[u]);if(u===null)return b("p",{class:"empty",children:s?"Solving the paint at each value …":""});const{values:h}=u,[d,_]=[h[0],h[h.length-1]],S=g=>_>d?(g-d)/(_-d):.5,m=e>=d&&e<=_,f=l??{column:su(h,e),geometry:p[0]?.geometry??0},v=(g,E)=>{const{left:U,width:P}=E.getBoundingClientRect(),D=d+(g.clientX-U)/P*(_-d);return su(h,D)},w=g=>{const E=g.target.closest("[data-row]"),U=E===null?f.geometry:Number(E.dataset.row);c({column:v(g,g.currentTarget),geometry:U})},y=g=>{const E=h[g];E!==void 0&&!n.locked&&t(E)},A=g=>{const E=p.findIndex(({geometry:P})=>P===f.geometry),U=(P,D)=>{const G=p[Math.min(Math.max(E+D,0),p.length-1)],W=Math.min(Math.max(f.column+P,0),h.length-1);c({column:W,geometry:G?.geometry??0})};if(g.key==="ArrowLeft")U(-1,0);else if(g.key==="ArrowRight")U(1,0);else if(g.key==="ArrowUp")U(0,-1);else if(g.key==="ArrowDown")U(0,1);else if(g.key==="Home")U(-h.length,0);else if(g.key==="End")U(h.length,0);else if(g.key==="Enter"||g.key===" ")y(f.column);else return;g.preventDefault()},R=g=>`${(100*g).toFixed(2)}%`;return b("div",{class:"stage atlas-stage","aria-busy":s,children:[b("div",{class:"atlas-labels","aria-hidden":"true",children:p.map(({geometry:g,label:E})=>b("span",{children:E},g))}),b("div",{class:n.locked?"atlas-field locked":"atlas-field",role:"application",tabIndex:0,"aria-label":`Atlas of ${n.label.toLowerCase()}: arrow keys go from colour to colour, Enter takes one.`,onPointerMove:w,onPointerDown:w,onPointerLeave:()=>{c(null)},onClick:g=>{y(v(g,g.currentTarget))},onKeyDown:A,onBlur:()=>{c(null)},children:[p.map(({geometry:g,background:E})=>b("i",{class:g===f.geometry&&l!==null?"at":"","data-row":g,style:{background:E}},g)),m&&b("b",{class:"now",style:{left:R(S(e))}}),l!==null&&b("b",{class:"cursor",style:{left:R(S(h[l.column]??e))}})]}),a?.standard!=null&&b("div",{class:"atlas-standard",title:"The standard",children:p.map(({geometry:g})=>b(kx,{readings:a,geometry:g},g))}),b("div",{class:"atlas-axis","aria-hidden":"true",children:To(d,_,5).map(g=>b("span",{style:{left:R(S(g))},children:Fn(g)},g))}),b("progress",{class:s?"":"done",max:1,value:o,"aria-label":"Colours of the atlas"}),b(zx,{atlas:u,place:f,unit:i,readings:a,hovers:l!==null})]})}function su(n,e){let t=0;return n.forEach((i,r)=>{Math.abs(i-e)<Math.abs(n[t]-e)&&(t=r)}),t}function Ox({geometries:n,rgb:e}){const t=ll(n);return t.flatMap(({title:i,places:r})=>r.map(({i:s,label:a})=>{const o=(e[s]??[]).map(Hu),l=o.length===1?[...o,...o]:o;return{geometry:s,label:t.length>1?`${Bx(i)}${a}`:a,background:`linear-gradient(to right, ${l.join(", ")})`}}))}function Bx(n){const e=/\d+/.exec(n)?.[0];return e===void 0?"":`${e} / `}function kx(n){const e=zs(n.readings,n.geometry);return b("i",{style:e===null?{}:{background:ti(e).css}})}function zx(n){const{atlas:e,place:t,unit:i,readings:r}=n,s=e.values[t.column],a=e.lab[t.geometry]?.[t.column],o=e.lab.flatMap((c,u)=>{const p=r===null?null:zs(r,u),h=c[t.column];return p===null||h===void 0?[]:[yx(p,h)]}),l=o.reduce((c,u)=>c+u,0)/o.length;return b("p",{class:"atlas-reading",role:"status",children:[b("b",{children:[s===void 0?"":Fn(s)," ",i]}),b("span",{children:ur(e.geometries[t.geometry]??"")}),a!==void 0&&b(Gx,{lab:a}),o.length>0&&b("span",{children:["mean ΔE ",et(l,1)]})]})}function Gx({lab:n}){return b("span",{children:["L* ",et(n[0],1)," a* ",et(n[1],1)," b* ",et(n[2],1)]})}const Hx=new Set(["volume_fraction","alpha"]);function Vx({path:n,info:e}){const t=e.key==="thickness_nm"&&n.includes("coats");return n[0]==="layer"&&(t||Hx.has(e.key))}function Wx({path:n,value:e},t){const i=t.fit,r=typeof i=="object"&&ht(n)in i;return n[0]!=="fit"&&n[0]!=="uncertainty"&&(e!==0||r)}function Xx(){const n=we(_=>_.schema),e=we(_=>_.document),t=we(_=>_.standard),i=we(_=>_.fit),r=ct(),[s,a]=tn(new Map),[o,l]=tn(4);if(n===null||t===null)return b("p",{class:"empty",children:"Load a standard first: measured readings as CSV. The fit then turns numbers of this paint until its colours match."});const{recipe:c,locks:u}=e,p=ku(n,c).filter(_=>Wx(_,c)),h=_=>{const S=ht(_.path);return!u.has(S)&&(s.get(S)??Vx(_))},d=p.filter(h).map(({path:_})=>ht(_));return b("div",{class:"fit",children:[b("p",{class:"fit-start",children:[i.running?b("button",{type:"button",onClick:()=>{r.stopFit()},children:"Stop"}):b("button",{type:"button",disabled:d.length===0,onClick:()=>{r.fit(d,o)},children:["Fit ",String(d.length)," ",d.length===1?"number":"numbers"]}),b("label",{children:["from"," ",b("input",{type:"number",min:"1",max:"64",value:o,disabled:i.running,"aria-label":"Starts",onChange:_=>{const S=Math.round(Number(_.currentTarget.value));S>=1&&l(S)}})," ",o===1?"start":"starts"]}),b("progress",{max:"1",value:i.fraction,"aria-label":"Progress of the fit",class:i.running?"":"idle"})]}),i.fault!==null&&b("p",{class:"fault-line",role:"alert",children:i.fault}),i.matches!==null&&b($x,{matches:i.matches,colours:i.colours}),b("fieldset",{disabled:i.running,children:[b("legend",{children:"Free numbers"}),p.map(_=>{const S=ht(_.path),{label:m,unit:f}=Xt(_.info.key);return b("label",{class:"free",children:[b("input",{type:"checkbox",checked:h(_),disabled:u.has(S),onChange:v=>{a(new Map(s).set(S,v.currentTarget.checked))}}),b("span",{children:[m,b("small",{children:hr(c,_.path)})]}),b("b",{children:[u.has(S)?"locked, ":"",Fn(_.value)," ",f]})]},S)})]})]})}function $x(n){const e=ct(),t=we(i=>i.document.recipe);return b("ol",{class:"matches","aria-label":"Paints that were found",children:n.matches.map((i,r)=>b("li",{class:i.recipe===t?"used":"",children:[b("div",{class:"match-head",children:[b("b",{children:["Mean ΔE ",et(i.mean_delta_e,2)]}),b("span",{children:["greatest ",et(i.max_delta_e,2)]}),b("button",{type:"button",class:"small","aria-label":`Use match ${String(r+1)}`,onClick:()=>{e.useMatch(i.recipe)},children:"Use"})]}),b("div",{class:"stage match-chips",children:n.colours[r]?.lab.map((s,a)=>{const o=zs(n.colours[r],a);return b("div",{class:"faces",children:[o!==null&&b("i",{style:{background:ti(o).css}}),b("i",{style:{background:ti(s).css}})]},a)})}),b("dl",{children:i.parameters.map(({key:s,value:a,sd:o,at_bound:l})=>{const c=Uo(s),{label:u,unit:p}=Xt(String(c.at(-1))),h=o===null?"":` ± ${Fn(Number(o.toPrecision(2)))}`;return[b("dt",{children:[u," ",b("small",{children:hr(i.recipe,c)})]},`${s} name`),b("dd",{children:[Fn(a),h," ",p,l&&" (at its bound)"]},s)]})})]},r))})}function cl({element:n}){const e=wt(null);return ds(()=>{e.current?.replaceChildren(n)},[n]),b("div",{ref:e})}const au=340;function Xr(n,e){const t=Math.floor(Math.min(...n)/e)*e,i=Math.ceil(Math.max(...n)/e)*e;return[t,Math.max(i,t+e)]}function ou(n,e,t,i){return[...Yh(n.geometries)].map(([r,s])=>{const a=s.map(({index:l})=>n.lab[l]),o={x:a.map((l,c)=>t(l,s[c]?.aspecular??0)),y:a.map(i),colour:"var(--line)",label:`${String(r)}°${e?" std":""}`,dashed:e};return e?o:{...o,pointColours:a.map(l=>ti(l).css)}})}function lu(n,e,t){const i=n.standard;return[...i===null?[]:ou(i,!0,e,t),...ou(n,!1,e,t)]}function qx(){const n=we(t=>t.readings),e=pi(()=>{if(n===null)return null;const t=lu(n,(c,u)=>u,c=>c[0]),i=lu(n,c=>c[1],c=>c[2]),r=n.standard===null?"":"; the standard dashed",s=Xr(t.flatMap(({x:c})=>[...c]),15),a=Xr([...t.flatMap(({y:c})=>[...c]),99],25)[1],o=Xr(i.flatMap(({x:c})=>[...c]),20),l=Xr(i.flatMap(({y:c})=>[...c]),20);return[Ao(t,{width:au,height:158,xLabel:"Aspecular angle, °",yLabel:"L*",named:t.length>1,x:s,y:[0,a],describedAs:`Lightness over the aspecular angle${r}`}),Ao(i,{width:au,height:226,xLabel:"a*",yLabel:"b*",x:o,y:l,square:!0,describedAs:`The way of the colour through a* and b*${r}`})]},[n]);return e===null?null:b(Ht,{children:e.map((t,i)=>b(cl,{element:t},i))})}function Yx(){const n=we(r=>r.readings);if(n===null)return null;const e=n.standard,t=ll(n.geometries).flatMap(({places:r})=>r.map(({i:s})=>s)),i=r=>b("th",{scope:"row",children:[b("i",{class:"dot",style:{background:ti(n.lab[r]).css}}),ur(n.geometries[r])]});return b(Ht,{children:[b("table",{class:"figures",children:[b("thead",{children:b("tr",{children:["Angle","L*","a*","b*","C*","h"].map(r=>b("th",{scope:"col",children:r},r))})}),b("tbody",{children:t.map(r=>{const s=n.lab[r];return b("tr",{children:[i(r),[...s,qh(s)].map((a,o)=>b("td",{children:et(a,2)},o)),b("td",{children:et(Mx(s),1)})]},r)})})]}),e?.dL!==void 0&&b("table",{class:"figures","aria-label":"Differences from the standard",children:[b("thead",{children:b("tr",{children:["Sample − standard","ΔL*","ΔC*","ΔH*","ΔE2000"].map(r=>b("th",{scope:"col",children:r},r))})}),b("tbody",{children:t.map(r=>b("tr",{children:[i(r),[e.dL,e.dC,e.dH].map((s,a)=>b("td",{children:et(s?.[r],2)},a)),b("td",{class:"strong",children:et(e.delta_e_2000?.[r],2)})]},r))})]})]})}function Kx(){const n=ct(),e=we(s=>s.sparkle),t=we(s=>s.sparkleFraction),i=we(s=>s.document),r=e!==null&&e.of.recipe!==i.recipe;return b("div",{class:"sparkle",children:[b("p",{class:"sparkle-start",children:[b("button",{type:"button",onClick:()=>{t===null?n.sparkle.measure():n.sparkle.stop()},children:t===null?"Measure sparkle and graininess":"Stop"}),b("progress",{max:"1",value:t??0,"aria-label":"Progress of the measurement",class:t===null?"idle":""})]}),e!==null&&b("div",{class:r?"old":"",children:[b("table",{class:"figures",children:[b("thead",{children:b("tr",{children:["Lamp","Sparkle","Spots per cm²","Intensity"].map(s=>b("th",{scope:"col",children:s},s))})}),b("tbody",{children:e.value.readings.map(s=>b("tr",{children:[b("th",{scope:"row",children:[et(s.theta_i,0),"°"]}),b("td",{children:cu(s.sparkle)}),b("td",{children:et(s.spots_per_cm2?.value,0)}),b("td",{children:et(s.intensity?.value,1)})]},s.theta_i))})]}),b("p",{children:["Graininess, diffuse light: ",b("b",{children:cu(e.value.graininess)})]}),r&&b("p",{class:"note",children:"Of the paint before the last change."})]})]})}function cu(n){if(n===null)return"–";const{value:e,standard_error:t}=n;return t===null?et(e,1):`${et(e,1)} ± ${et(t,1)}`}function uu(n,e){return n.wavelengths_nm.length===0?[]:n.reflectance.map((t,i)=>({x:n.wavelengths_nm,y:t,colour:ti(n.lab[i]).css,label:e?"":ur(n.geometries[i]),dashed:e}))}function Zx(){const n=we(t=>t.readings),e=pi(()=>{if(n===null)return null;const i=[...n.standard===null?[]:uu(n.standard,!0),...uu(n,!1)],r=Math.max(...i.flatMap(({y:s})=>[...s]));return Ao(i,{width:340,height:400,xLabel:"Wavelength, nm",yLabel:"Reflectance factor",y:[0,Ii(r*1.02)],named:!0,describedAs:"Reflectance factor over wavelength, a curve an angle"})},[n]);return e===null?null:b(cl,{element:e})}const Jx=[{name:"flop",title:"Flop",panel:()=>b(qx,{})},{name:"numbers",title:"L*a*b*",panel:()=>b(Yx,{})},{name:"spectra",title:"Spectra",panel:()=>b(Zx,{})},{name:"atlas",title:"Atlas",panel:()=>b(Nx,{})},{name:"sparkle",title:"Sparkle",panel:()=>b(Kx,{})},{name:"fit",title:"Fit",panel:()=>b(Xx,{})}];function Qx(){const[n,e]=tn("flop");return b("section",{class:"results","aria-label":"Readings",children:[b(jx,{}),b(eS,{}),b(Dx,{}),b(tS,{}),b(Sx,{label:"Details",tabs:Jx,chosen:n,onChoose:e})]})}function jx(){const n=ct(),e=we(r=>r.schema),t=we(r=>r.settings),i=(r,s,a,o,l=c=>c)=>b("select",{"aria-label":r,title:r,value:s,onChange:c=>{o(c.currentTarget.value)},children:a.map(c=>b("option",{value:c,children:l(c)},c))});return b("div",{class:"conditions",children:[i("Angles",t.geometries,(e?.geometry_sets??[]).map(({name:r})=>r),r=>{n.setSettings({geometries:r})},r=>{const s=e?.geometry_sets.find(a=>a.name===r);return`${r}, ${String(s?.geometries.length??0)} angles`}),i("Illuminant",t.illuminant,e?.illuminants??[],r=>{n.setSettings({illuminant:r})}),i("Observer",t.observer,e?.observers??[],r=>{n.setSettings({observer:r})},r=>/^\d+$/.test(r)?`${r}°`:r)]})}function eS(){const n=ct(),e=we(s=>s.standard),t=we(s=>s.settings.tolerance),i=we(s=>s.readings),r=wt(null);return b("div",{class:"standard",children:[b("input",{ref:r,type:"file",accept:".csv,.json,text/csv",class:"hidden",tabIndex:-1,"aria-label":"File of a standard",onChange:s=>{const[a]=s.currentTarget.files??[];s.currentTarget.value="",a!==void 0&&a.text().then(o=>{n.setStandard(o,a.name)})}}),e===null?b(Ht,{children:[b("button",{type:"button",class:"small",onClick:()=>r.current?.click(),children:"Load a standard …"}),b("button",{type:"button",class:"small",disabled:i===null,title:"The paint as it is now becomes the standard",onClick:()=>{i!==null&&n.setStandard(i.csv,"this paint.csv")},children:"Take this paint"})]}):b(Ht,{children:[b("span",{class:"standard-name",title:e.name,children:["Standard: ",b("b",{children:e.name})]}),b("label",{children:["ΔE ≤"," ",b("input",{type:"number",min:"0.01",max:"100",step:"0.1",value:t,"aria-label":"Tolerance, Delta E 2000 at each angle",onChange:s=>{const a=Number(s.currentTarget.value);a>0&&n.setSettings({tolerance:a})}})]}),b("button",{type:"button",class:"small","aria-label":"Remove the standard",onClick:()=>{n.setStandard(null,"")},children:"Remove"})]})]})}function tS(){const n=we(i=>i.readings),e=n?.standard??null,t=(i,r,s=!1)=>b("div",{class:s?"wide":"",children:[b("dt",{children:i}),b("dd",{children:r})]});return b("dl",{class:"key-figures",children:[t("Flop index",et(n?.flop_index,2)),t("Colour travel",et(n?.colour_travel.length,1)),t("Mean ΔE",et(e?.mean,2)),t("Greatest ΔE",et(e?.max,2))]})}function nS(n){try{return localStorage.getItem(`nacre-${n}`)}catch{return null}}function iS(n,e){try{localStorage.setItem(`nacre-${n}`,e)}catch{}}function ba(){const n=document.documentElement.dataset.theme;return n!==void 0?n==="dark":matchMedia("(prefers-color-scheme: dark)").matches}function rS(){const n=fd("button",{type:"button",class:"theme"}),e=nS("theme");(e==="light"||e==="dark")&&(document.documentElement.dataset.theme=e);const t=()=>{n.textContent=ba()?"Light":"Dark",n.setAttribute("aria-label",`Use ${ba()?"light":"dark"} greys`)};return n.addEventListener("click",()=>{const i=ba()?"light":"dark";document.documentElement.dataset.theme=i,iS("theme",i),t()}),matchMedia("(prefers-color-scheme: dark)").addEventListener("change",t),t(),n}function hu(n,e){const{document:t,settings:i}=n.store.get(),{geometries:r,illuminant:s,observer:a,tolerance:o}=i;n.say("Making the report …"),n.ask("report",{recipe:t.recipe,geometries:r,illuminant:s,observer:a,tolerance:{limit:o}},l=>{if(l.type==="error"){n.say(String(l.message));return}const c=String(l.html);e==="pdf"?lf(c):Jr(Qr(t.recipe.name,"html"),c,"text/html"),n.say(e==="pdf"?"The report can be printed.":"The report was saved.")},l=>{n.say(`Making the report … ${(100*l).toFixed(0)} %`)})}function sS(){const n=ct(),e=we(a=>a.schema),t=we(a=>a.canUndo),i=we(a=>a.canRedo),r=pi(()=>rS(),[]),s=wt(null);return b("header",{class:"top",children:[b("h1",{children:["Nacre ",b("span",{children:"Studio"})]}),b(Is,{label:"Start from a paint that ships",text:"Start from …",class:"start",chosen:null,choices:e?.paints??[],onChoose:a=>{const o=e?.paints.find(l=>l.name===a);o!==void 0&&n.openText(o.toml)}}),b("button",{type:"button",onClick:()=>s.current?.click(),children:"Open …"}),b("input",{ref:s,type:"file",accept:`.toml,.csv,.json,${$o},${qo},application/toml,text/plain`,class:"hidden",tabIndex:-1,"aria-label":"File of a recipe, a standard, a mesh or a light",onChange:a=>{const[o]=a.currentTarget.files??[];a.currentTarget.value="",o!==void 0&&n.openFile(o)}}),b("span",{class:"pair",children:[b(ci,{icon:"undo",label:"Undo (Ctrl+Z)",disabled:!t,onClick:()=>{n.undo()}}),b(ci,{icon:"redo",label:"Redo (Ctrl+Y)",disabled:!i,onClick:()=>{n.redo()}})]}),b("span",{class:"gap"}),b(aS,{}),b(cl,{element:r})]})}function aS(){const n=ct(),e=we(({readings:r,readingsOf:s,document:a,fault:o})=>r!==null&&(o===null||s===a)),t=({document:r})=>r.recipe.name;return b("span",{class:"saving",children:[b("button",{type:"button",disabled:!e,title:"Save the recipe, .toml",onClick:()=>{n.whenCurrent(r=>{const s=r.paint?.toml??"";Jr(Qr(t(r),"toml"),s,"application/toml")})},children:"Save recipe"}),b("button",{type:"button",title:"Save the picture, .png",onClick:()=>{const r=globalThis.document.querySelector("canvas.now");r!==null&&cf(r).then(s=>{Jr(Qr(t(n.store.get()),"png"),s,"image/png")},s=>{n.say(ps(s))})},children:"Picture"}),b("button",{type:"button",disabled:!e,title:"Save the readings, .csv",onClick:()=>{n.whenCurrent(r=>{const s=r.readings?.csv??"";Jr(Qr(t(r),"csv"),s,"text/csv")})},children:"Readings"}),b("button",{type:"button",disabled:!e,title:"Print the report of the panel, or save it as PDF",onClick:()=>{hu(n,"pdf")},children:"Report"}),b("button",{type:"button",disabled:!e,"aria-label":"Report as HTML",title:"Save the report of the panel, .html",onClick:()=>{hu(n,"html")},children:"HTML"}),b("button",{type:"button",title:"Copy an address that holds this paint",onClick:()=>{n.copyLink()},children:"Copy link"})]})}function du(n){return n instanceof HTMLInputElement&&!["range","checkbox"].includes(n.type)}function oS(n){fi(()=>{const e=a=>{if(!(a.ctrlKey||a.metaKey)||du(a.target))return;const o=a.key.toLowerCase();if(o==="z"&&!a.shiftKey)n.undo();else if(o==="y"||o==="z")n.redo();else return;a.preventDefault()},t=a=>{a.preventDefault()},i=a=>{a.preventDefault();const o=a.dataTransfer?.files[0];o!==void 0&&n.openFile(o)},r=a=>{const o=a.clipboardData?.getData("text")??"";du(a.target)||!o.includes("=")||(a.preventDefault(),n.openText(o))},s=()=>{n.openLink(location.hash)};return document.addEventListener("keydown",e),document.addEventListener("dragover",t),document.addEventListener("drop",i),document.addEventListener("paste",r),addEventListener("hashchange",s),()=>{document.removeEventListener("keydown",e),document.removeEventListener("dragover",t),document.removeEventListener("drop",i),document.removeEventListener("paste",r),removeEventListener("hashchange",s)}},[n])}function lS({studio:n}){return oS(n),b(Md,{value:n,children:[b(sS,{}),b("main",{class:"studio",children:[b(sf,{}),b(gx,{}),b(Qx,{})]}),b(cS,{})]})}function cS(){const n=we(s=>s.connection),e=we(s=>s.latency_ms),t=we(s=>s.notice),i=we(s=>s.schema?.version),r={connecting:"Connecting …",open:"",gone:"The studio's program does not answer: has it ended? The paint is safe in this page, which goes on when the same program answers again.",refused:"Another nacre studio answers here, which does not know this page. Open the address that it printed, and paste the paint there: Copy link has it."}[n];return b("footer",{class:r===""||n==="connecting"?"status":"status gone",children:[b("span",{class:"notice",role:"status","aria-live":"polite",title:r===""?t:r,children:r===""?t:r}),b("span",{class:"latency",title:"From the last change to its colours on the screen",children:e===null?"":`${et(e,0)} ms`}),b("span",{children:i===void 0?"":`Nacre ${i}`})]})}const uS=500;class hS{constructor(e){this.present=e,this.past=[],this.future=[],this.gesture=null}get now(){return this.present}get canUndo(){return this.past.length>0}get canRedo(){return this.future.length>0}push(e,t=null){e!==this.present&&((t===null||t!==this.gesture)&&(this.past.push(this.present),this.past.length>uS&&this.past.shift()),this.gesture=t,this.present=e,this.future=[])}begin(e){this.past=[],this.future=[],this.gesture=null,this.present=e}endGesture(){this.gesture=null}undo(){const e=this.past.pop();return e!==void 0&&(this.future.push(this.present),this.present=e),this.gesture=null,this.present}redo(){const e=this.future.pop();return e!==void 0&&(this.past.push(this.present),this.present=e),this.gesture=null,this.present}}class dS{constructor(e){this.send=e,this.underWay=null,this.waiting=null}get busy(){return this.underWay!==null}want(e){if(this.underWay!==null){this.waiting=e;return}this.underWay=e,this.send(e)}finished(){const e=this.waiting;this.underWay=this.waiting=null,e!==null&&this.want(e)}abandon(){const e=this.waiting??this.underWay;return this.underWay=this.waiting=null,e}}const Ro="#paint=",fu=1<<20;async function Kh(n,e){const i=new Blob([n]).stream().pipeThrough(e).getReader(),r=[];let s=0;for(;;){const{done:l,value:c}=await i.read();if(l)break;if(s+=c.length,s>fu)throw await i.cancel(),new Error(`holds more than ${String(fu)} bytes`);r.push(c)}const a=new Uint8Array(s);let o=0;for(const l of r)a.set(l,o),o+=l.length;return a}function fS(n){let e="";for(const t of n)e+=String.fromCharCode(t);return btoa(e).replace(/\+/g,"-").replace(/\//g,"_").replace(/=+$/,"")}function pS(n){const e=atob(n.replace(/-/g,"+").replace(/_/g,"/"));return Uint8Array.from(e,t=>t.charCodeAt(0))}async function pu({recipe:n,locks:e}){const t=JSON.stringify(e.size>0?{recipe:n,locks:[...e]}:{recipe:n}),i=new TextEncoder().encode(t);return Ro+fS(await Kh(i,new CompressionStream("deflate-raw")))}async function mS(n){if(!n.startsWith(Ro))return null;let e;try{const r=pS(n.slice(Ro.length)),s=await Kh(r,new DecompressionStream("deflate-raw"));e=JSON.parse(new TextDecoder("utf-8",{fatal:!0}).decode(s))}catch(r){const s=r instanceof Error?r.message:String(r);throw new Error(`The paint in this address cannot be read; was it cut? (${s})`)}const t=e;if(typeof t!="object"||t===null||!Rt(t.recipe))throw new Error("The address holds something that is no paint.");const i=Array.isArray(t.locks)?t.locks.filter(r=>typeof r=="string"):[];return{recipe:t.recipe,locks:new Set(i)}}class gS{constructor(e,t){this.store=e,this.session=t,this.id=null}measure(){if(!this.session.isOpen)return;const{document:e}=this.store.get();this.store.set({sparkleFraction:0}),this.id=this.session.send("sparkle",{recipe:e.recipe},t=>{if(t.type==="progress"){this.store.set({sparkleFraction:Number(t.fraction)});return}if(t.type==="error")this.store.set({sparkle:null,notice:String(t.message)});else{const i=t;this.store.set({sparkle:{of:e,value:i}})}this.abandon()})}stop(){this.id!==null&&this.session.tell("stop",{what:"sparkle"}),this.abandon()}abandon(){this.id!==null&&this.session.forget(this.id),this.id=null,this.store.set({sparkleFraction:null})}}const mu=300,_S=4e3,vS={f32:Float32Array,u8:Uint8Array,u16:Uint16Array,u32:Uint32Array,f16:Uint16Array};function xS(n,e){let t=0;return n.map(i=>{const r=vS[i.dtype],s=i.shape.reduce((o,l)=>o*l,1),a=new r(e,t,s);return t+=Math.ceil(a.byteLength/4)*4,{...i,data:a}})}class SS{constructor(e,t){this.connect=e,this.onChange=t,this.socket=null,this.open=!1,this.closed=!1,this.nextId=1,this.wait=mu,this.answers=new Map,this.awaiting=null,this.begin()}get isOpen(){return this.open}send(e,t,i){const r=this.nextId++;return this.answers.set(r,i),this.socket?.send(JSON.stringify({type:e,id:r,...t})),r}forget(e){this.answers.delete(e)}tell(e,t){this.open&&this.socket?.send(JSON.stringify({type:e,...t}))}close(){this.closed=!0,this.socket?.close()}begin(){const e=this.connect();this.socket=e,e.binaryType="arraybuffer",e.onopen=()=>{this.open=!0,this.wait=mu,this.onChange(!0)},e.onclose=()=>{this.open=!1,this.awaiting=null,this.answers.clear(),!this.closed&&(this.onChange(!1),setTimeout(()=>{this.begin()},this.wait),this.wait=Math.min(2*this.wait,_S))},e.onmessage=({data:t})=>{this.receive(t)}}receive(e){if(typeof e=="string"){const t=JSON.parse(e);Array.isArray(t.binary)?this.awaiting=t:this.deliver(t,[])}else if(e instanceof ArrayBuffer&&this.awaiting!==null){const t=this.awaiting;this.awaiting=null,this.deliver(t,xS(t.binary,e))}}deliver(e,t){const{id:i}=e;i!==void 0&&this.answers.get(i)?.(e,t)}}const gu={running:!1,fraction:0,matches:null,colours:[],fault:null,began:null},wa={recipe:{},locks:new Set},MS=400;class yS{constructor(e){this.around=e,this.history=new hS(wa),this.standardText=null,this.fitId=null,this.begun=!1,this.store=new ko({connection:"connecting",schema:null,document:wa,canUndo:!1,canRedo:!1,paint:null,readings:null,readingsOf:null,fault:null,notOpened:null,latency_ms:null,settings:{geometries:"byk-mac",illuminant:"D65",observer:"10",tolerance:1},standard:null,sparkle:null,sparkleFraction:null,fit:gu,ownShape:null,ownLight:null,notice:""}),this.painting=new dS(i=>{this.sendPaint(i)}),this.session=new SS(e.connect,i=>{i?this.connected():this.disconnected()}),this.viewer=new px(this.session);let t=this.lamp;this.viewer.store.subscribe(()=>{this.lamp!==t&&(t=this.lamp,this.measure())}),this.atlas=new Px(this.session,i=>{this.viewer.hold("atlas",i)}),this.sparkle=new gS(this.store,this.session),this.ownFiles=new gf(this.store,this.viewer,this.ask.bind(this))}async connected(){try{const e=this.store.get().schema??await this.around.schema();this.store.set({connection:"open",schema:e}),this.viewer.begin(e)}catch(e){this.say(`The server does not say what a paint has: ${ps(e)}`);return}if(this.standardText!==null&&this.sendStandard(),this.ownFiles.bringAgain(),this.begun){this.measure();return}this.begun=!0,await this.openLink(this.around.fragment())||this.openFirst()}disconnected(){this.around.refused().then(i=>{i&&!this.session.isOpen&&this.store.set({connection:"refused"})}),this.painting.abandon(),this.viewer.hold("colours",!1),this.viewer.abandon(),this.atlas.stop(),this.ownFiles.abandon(),this.fitId=null;const{connection:e}=this.store.get();this.store.set({connection:e==="refused"?"refused":"gone"}),this.sparkle.abandon();const{fit:t}=this.store.get();t.running&&this.store.set({fit:{...t,running:!1,fault:"The server went away before the fit had ended."}})}openFirst(){const{schema:e}=this.store.get(),t=e?.start??e?.paints[0]?.toml;t!==void 0&&this.openText(t)}attach(e){const{schema:t}=this.store.get();t!==null&&this.viewer.attach(e,t,this.around.bytes),this.measure()}edit(e,t=null){const i=this.history.now;i===wa?this.history.begin(e(i)):this.history.push(e(i),t),this.changed()}endGesture(){this.history.endGesture()}undo(){this.history.undo(),this.changed()}redo(){this.history.redo(),this.changed()}changed(){this.store.set({document:this.history.now,canUndo:this.history.canUndo,canRedo:this.history.canRedo,notOpened:null}),this.measure(),clearTimeout(this.linkTimer),this.linkTimer=setTimeout(()=>{pu(this.history.now).then(this.around.setFragment)},MS)}openText(e){const t=this.session.send("open",{toml:e},i=>{if(this.session.forget(t),i.type==="error"){this.store.set({notOpened:String(i.message)});return}const r=i.tree;this.edit(()=>({recipe:r,locks:new Set}))})}openFile(e){const{name:t}=e,i=mf(t);i!==null?this.ownFiles.bring(i,e):/\.(csv|json)$/i.test(t)?e.text().then(r=>{this.setStandard(r,t)}):e.text().then(r=>{this.openText(r)})}async openLink(e){try{const t=await mS(e);return t===null?!1:(this.edit(()=>t),!0)}catch(t){return this.say(ps(t)),!1}}say(e){this.store.set({notice:e})}setSettings(e){this.store.set({settings:{...this.store.get().settings,...e}}),this.measure()}get lamp(){const{view:e}=this.viewer.store.get();return(this.store.get().schema?.lights??[]).find(({name:i})=>i===e?.light)?.illuminant??"D65"}measure(){const{document:e,settings:t}=this.store.get();if(!this.session.isOpen||Object.keys(e.recipe).length===0)return;const{recipe:i}=e;this.viewer.hold("colours",!0);const r=this.around.now();this.painting.want({recipe:i,document:e,settings:t,lamp:this.lamp,since:r})}whenCurrent(e){const t=()=>{const r=this.store.get(),s=r.readingsOf===r.document;return s&&e(r),s||r.fault!==null||r.connection!=="open"};if(t())return;const i=this.store.subscribe(()=>{t()&&i()})}get settled(){return!this.painting.busy}sendPaint({recipe:e,document:t,settings:i,lamp:r,since:s}){const{geometries:a,illuminant:o,observer:l,tolerance:c}=i,u={recipe:e,geometries:a,illuminant:o,observer:l,tolerance:{limit:c},shader:t!==null&&this.viewer.wantsShader,lamp:r};let p=Promise.resolve();const h=this.session.send("paint",u,(d,_)=>{if(t===null){this.receiveMatch(h,d);return}switch(d.type){case"recipe":this.store.set({paint:d});break;case"readings":{const S=d;this.store.set({readings:S,readingsOf:t,fault:null}),p=new Promise(m=>{this.around.drawn(()=>{this.store.set({latency_ms:this.around.now()-s}),m()})});break}case"shader":p.then(()=>{this.viewer.shader(d,_)});break;case"error":this.store.set({fault:d}),this.answered(h,null);break;case"done":this.answered(h,t.recipe,p);break}})}answered(e,t,i=Promise.resolve()){this.session.forget(e),this.painting.finished(),t!==null&&this.viewer.paint(t),i.then(()=>{this.painting.busy||this.viewer.hold("colours",!1)}),this.measureMatch()}measureMatch(){const{fit:e,settings:t}=this.store.get(),i=e.matches?.[e.colours.length];if(i===void 0||this.painting.busy||!this.session.isOpen)return;const{recipe:r}=i,s=this.around.now();this.painting.want({recipe:r,document:null,settings:t,lamp:this.lamp,since:s})}receiveMatch(e,t){if(t.type==="readings"){const{fit:i}=this.store.get(),r=[...i.colours,t];this.store.set({fit:{...i,colours:r}})}else t.type==="done"?this.answered(e,null):t.type==="error"&&(this.session.forget(e),this.painting.finished())}setStandard(e,t){this.standardText=e===null?null:{csv:e,name:t},this.sendStandard()}sendStandard(){const{csv:e,name:t}=this.standardText??{csv:null,name:""},i=this.session.send("standard",{csv:e,name:t},r=>{if(this.session.forget(i),r.type==="error"){this.standardText=null,this.say(`The standard cannot be used: ${String(r.message)}`);return}const s=e===null?null:r;this.store.set({standard:s,notice:s?.notes.join(" ")??""}),this.measure()})}fit(e,t){const{document:i}=this.store.get();this.store.set({fit:{...gu,running:!0,began:i}});const r={recipe:i.recipe,free:e,starts:t};this.fitId=this.session.send("fit",r,s=>{const{fit:a}=this.store.get();if(s.type==="progress"){this.store.set({fit:{...a,fraction:Number(s.fraction)}});return}const o={...a,running:!1,fraction:1};if(s.type==="matches"){const l=s.matches;this.store.set({fit:{...o,matches:l,colours:[],fault:null}}),this.measureMatch()}else s.type==="error"&&this.store.set({fit:{...o,fault:String(s.message)}});this.fitId!==null&&this.session.forget(this.fitId),this.fitId=null})}stopFit(){this.fitId!==null&&(this.session.tell("stop",{what:"fit"}),this.session.forget(this.fitId),this.fitId=null,this.store.set({fit:{...this.store.get().fit,running:!1}}))}useMatch(e){this.edit(t=>({...t,recipe:e}))}copyLink(){pu(this.history.now).then(e=>(this.around.setFragment(e),navigator.clipboard.writeText(this.around.address()))).then(()=>{this.say("The address of this page holds the paint; it was copied.")},()=>{this.say("The address of this page holds the paint; the browser did not let it be copied.")})}ask(e,t,i,r=()=>{}){if(!this.session.isOpen)return!1;const s=this.session.send(e,t,(a,o)=>{if(a.type==="progress"){r(Number(a.fraction));return}this.session.forget(s),i(a,o)});return!0}}const ul=new URLSearchParams(location.search).get("token")??"",ES=`?token=${encodeURIComponent(ul)}`;async function _u(n){const e=await fetch(n,{headers:{"X-Nacre-Token":ul}});if(!e.ok)throw new Error(`${String(e.status)} ${e.statusText}: ${n}`);return e}const bS=new yS({connect:()=>{const n=location.protocol==="https:"?"wss:":"ws:";return new WebSocket(`${n}//${location.host}/api/session${ES}`)},schema:async()=>await(await _u("/api/schema")).json(),bytes:async n=>(await _u(n)).arrayBuffer(),refused:async()=>{try{const n={"X-Nacre-Token":ul},{status:e}=await fetch("/api/schema",{method:"HEAD",headers:n});return e===401}catch{return!1}},now:()=>performance.now(),drawn:n=>{requestAnimationFrame(()=>{setTimeout(n)})},fragment:()=>location.hash,setFragment:n=>{history.replaceState(null,"",n)},address:()=>location.href});od(b(lS,{studio:bS}),document.body);

@@ -6,8 +6,10 @@
  * over its own mean around each pixel.
  */
 
-import { Program, Target } from "./gl";
+import type { Texture, WebGLRenderer, WebGLRenderTarget } from "three";
+import { HalfFloatType, Vector2 } from "three";
 import type { PaintShader } from "./paint";
+import { makeTarget, Pass } from "./pass";
 import { AVERAGE, DISPLAY, EVERYWHERE } from "./passes";
 import type { Sums } from "./sums";
 
@@ -16,6 +18,9 @@ export const ENOUGH = 4;
 
 /** Of the picture before, so that each part of a pixel has been asked for its flakes. */
 const KEPT = 16;
+
+const light = ({ textures }: WebGLRenderTarget): Texture => textures[0] as Texture;
+const flakes = ({ textures }: WebGLRenderTarget): Texture => textures[1] as Texture;
 
 /** What makes the flakes of a specimen: their places, slopes and sizes, but not what they reflect. */
 function flakesOf(paint: PaintShader): string {
@@ -26,22 +31,19 @@ function flakesOf(paint: PaintShader): string {
 }
 
 export class Display {
-    private readonly program: Program;
-    private readonly average: Program;
+    private readonly screen: Pass;
+    private readonly average: Pass;
     /** The last whole picture, and of which flakes; its means around the pixels of a coarse one. */
-    private before: { sums: Sums; flakes: string; means: Target | null } | null = null;
+    private before: { sums: Sums; flakes: string; means: WebGLRenderTarget | null } | null = null;
     private glitters = false;
 
-    constructor(
-        private readonly gl: WebGL2RenderingContext,
-        private readonly nothing: WebGLVertexArrayObject,
-    ) {
-        this.program = Program.begin(gl, EVERYWHERE, DISPLAY);
-        this.average = Program.begin(gl, EVERYWHERE, AVERAGE);
+    constructor(private readonly renderer: WebGLRenderer) {
+        this.screen = new Pass(renderer, EVERYWHERE, DISPLAY);
+        this.average = new Pass(renderer, EVERYWHERE, AVERAGE);
     }
 
     ready(): boolean {
-        return this.program.ready() && this.average.ready();
+        return this.screen.ready() && this.average.ready();
     }
 
     /**
@@ -54,7 +56,7 @@ export class Display {
         let next = whole;
         if (from?.flakes === true && whole.samples >= KEPT) {
             next = this.before?.sums ?? make();
-            this.before?.means?.delete();
+            this.before?.means?.dispose();
             this.before = { sums: whole, flakes: flakesOf(from), means: null };
         }
         this.glitters = to.flakes && this.before?.flakes === flakesOf(to);
@@ -65,57 +67,46 @@ export class Display {
     forget(): void {
         this.glitters = false;
         this.before?.sums.delete();
-        this.before?.means?.delete();
+        this.before?.means?.dispose();
         this.before = null;
     }
 
     /** @param warn  marks colours that the display cannot show */
     draw(whole: Sums, coarse: Sums | null, warn: boolean): void {
-        const { gl } = this;
         const hasCoarse = coarse !== null && coarse.samples > 0;
         const before = this.glitters && hasCoarse ? this.before : null;
-        const pictures = {
-            whole: whole.target,
-            coarse: (coarse ?? whole).target,
-            before: (before?.sums ?? whole).target,
-            beforeMeans: before === null ? whole.target : this.meansOf(before, coarse as Sums),
-        };
-        const program = this.program.use();
-        let unit = 0;
-        for (const [name, { textures }] of Object.entries(pictures)) {
-            const names = name === "whole" || name === "before" ? [name, `${name}Flakes`] : [name];
-            names.forEach((sampler, k) => {
-                gl.activeTexture(gl.TEXTURE0 + unit);
-                gl.bindTexture(gl.TEXTURE_2D, textures[k] as WebGLTexture);
-                program.int(sampler, unit++);
-            });
-        }
-        program.floats("size", 2, [gl.drawingBufferWidth, gl.drawingBufferHeight]);
-        program.floats("enough", 1, [hasCoarse ? ENOUGH : 0]);
-        program.int("glitters", before === null ? 0 : 1);
-        program.int("warn", warn ? 1 : 0);
-        gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-        gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
-        gl.bindVertexArray(this.nothing);
-        gl.drawArrays(gl.TRIANGLES, 0, 3);
+        const was = before?.sums ?? whole;
+        const means = before === null ? null : this.meansOf(before, coarse as Sums);
+        this.screen.set({
+            whole: light(whole.target),
+            wholeFlakes: flakes(whole.target),
+            coarse: light((coarse ?? whole).target),
+            before: light(was.target),
+            beforeFlakes: flakes(was.target),
+            beforeMeans: light(means ?? whole.target),
+            size: this.renderer.getDrawingBufferSize(new Vector2()).toArray(),
+            enough: hasCoarse ? ENOUGH : 0,
+            glitters: before === null ? 0 : 1,
+            warn: warn ? 1 : 0,
+        });
+        this.screen.draw(null);
     }
 
-    private meansOf(before: { sums: Sums; means: Target | null }, like: Sums): Target {
-        const { gl } = this;
+    private meansOf(
+        before: { sums: Sums; means: WebGLRenderTarget | null },
+        like: Sums,
+    ): WebGLRenderTarget {
         const { width, height } = like.target;
         if (before.means?.width === width && before.means.height === height) return before.means;
-        before.means?.delete();
-        before.means = new Target(gl, width, height, [gl.RGBA16F], false);
-        const program = this.average.use();
-        [...before.sums.target.textures].forEach((texture, unit) => {
-            gl.activeTexture(gl.TEXTURE0 + unit);
-            gl.bindTexture(gl.TEXTURE_2D, texture);
-            program.int(["before", "beforeFlakes"][unit] as string, unit);
+        before.means?.dispose();
+        before.means = makeTarget(this.renderer, width, height, HalfFloatType);
+        const { target } = before.sums;
+        this.average.set({
+            before: light(target),
+            beforeFlakes: flakes(target),
+            size: [width, height],
         });
-        program.floats("size", 2, [width, height]);
-        before.means.bind();
-        gl.bindVertexArray(this.nothing);
-        gl.drawArrays(gl.TRIANGLES, 0, 3);
+        this.average.draw(before.means);
         return before.means;
     }
 }

@@ -6,8 +6,8 @@
  * does it (AskedParts in src/nacre/render/render.cpp).
  */
 
-import type { Program } from "./gl";
 import type { Transform } from "./paint";
+import type { Value } from "./pass";
 import type { Matrix, Vec3 } from "./space";
 import { inverseRigid, shapeMatrix } from "./space";
 
@@ -71,20 +71,21 @@ export function restMatrix(transform: Transform, turn_deg: number, pivot: Vec3):
     return inverseRigid(shapeMatrix({ ...transform, scale: 1 }, turn_deg, pivot));
 }
 
-/** For the text below. @param toRest  restMatrix() */
-export function setFlakes(
-    program: Program,
+/** Uniforms of the text below. @param toRest  restMatrix() */
+export function flakeValues(
     toRest: Matrix,
     { middle, size, tilt }: Part,
     shown: boolean,
     asks: boolean,
-): void {
-    program.int("flakesShown", shown ? 1 : 0);
-    program.int("flakesAsked", asks ? 1 : 0);
-    program.matrix("toRest", toRest);
-    program.floats("partMiddle", 2, middle);
-    program.floats("partSize", 2, size);
-    program.floats("partTilt", 2, tilt);
+): Record<string, Value> {
+    return {
+        flakesShown: shown ? 1 : 0,
+        flakesAsked: asks ? 1 : 0,
+        toRest,
+        partMiddle: middle,
+        partSize: size,
+        partTilt: tilt,
+    };
 }
 
 /** After the paint's text, and after radianceFrom(). */

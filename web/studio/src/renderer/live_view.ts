@@ -1,18 +1,20 @@
 /**
  * The live picture: a paint on a shape in a light, drawn by WebGL 2 from the paint's own numbers, better
- * from frame to frame.
+ * from frame to frame. three.js draws; what it draws are the shaders of passes.ts.
  *
  * Single flakes are those of the path tracer. It has no waves of the coat, shadows or light from one part
  * of the shape to another.
  */
 
+import type { Texture, TextureDataType, WebGLRenderer, WebGLRenderTarget } from "three";
+import { FloatType, HalfFloatType } from "three";
 import { Display } from "./display";
 import type { Part } from "./flakes";
-import { restMatrix, sampleOf, setFlakes } from "./flakes";
-import type { Target } from "./gl";
-import { fill, fillMesh, Program, sumOfMeans } from "./gl";
-import { setLight } from "./lights";
+import { flakeValues, restMatrix, sampleOf } from "./flakes";
+import { lightValues } from "./lights";
 import type { Light, Mesh, PaintShader, Transform } from "./paint";
+import { uniformValues } from "./paint";
+import { clear, filled, Pass, rendererOn } from "./pass";
 import { EVERYWHERE, MOST_RECTANGLES, SHAPE_FRAGMENT, SHAPE_VERTEX, shading } from "./passes";
 import type { Camera, Eye } from "./space";
 import { eyeOf, screenMatrix, shapeMatrix } from "./space";
@@ -38,6 +40,9 @@ export interface LiveOptions {
     readonly samples?: number;
 }
 
+/** What filled() takes beside a texture that was. */
+type Numbers = Parameters<typeof filled> extends [unknown, ...infer Rest] ? Rest : never;
+
 /** As long as drawing may take in a frame without the page becoming slow. */
 const FRAME_MS = 30;
 /** Samples of pixels that are worth a frame on any machine. */
@@ -50,19 +55,15 @@ const MOST_SAMPLES = 1024;
 
 /** Draws where WebGL 2 can draw into floats; else its constructor throws an Error that says what lacks. */
 export class LiveView {
-    private readonly gl: WebGL2RenderingContext;
-    private readonly sumFormat: GLenum;
+    private readonly renderer: WebGLRenderer;
+    private readonly sumType: TextureDataType;
     private readonly mostSamples: number;
-    private readonly shapeProgram: Program;
+    private readonly shape: Pass;
     private readonly shown: Display;
-    private readonly programs = new Map<string, Program>();
-    private readonly arrays: WebGLVertexArrayObject;
-    private readonly nothing: WebGLVertexArrayObject;
-    private readonly buffers: readonly [WebGLBuffer, WebGLBuffer, WebGLBuffer];
-    private readonly lightTextures: readonly [WebGLTexture, WebGLTexture, WebGLTexture];
-    private readonly paintTextures = new Map<string, { texture: WebGLTexture; target: GLenum }>();
+    private readonly paints = new Map<string, Pass>();
+    private readonly paintTextures = new Map<string, Texture>();
+    private readonly lightTextures: Record<string, Texture> = {};
 
-    private indices = 0;
     private transform: Transform | null = null;
     private light: Light | null = null;
     private camera: Camera | null = null;
@@ -93,33 +94,18 @@ export class LiveView {
         private readonly canvas: HTMLCanvasElement,
         private readonly options: LiveOptions = {},
     ) {
-        const gl = canvas.getContext("webgl2", {
-            alpha: true, // until the first frame what lies behind is seen
-            antialias: false,
-            depth: false,
-            preserveDrawingBuffer: true,
-        });
-        if (gl === null) throw new Error("this browser has no WebGL 2");
-        if (gl.getExtension("EXT_color_buffer_float") === null) {
-            throw new Error("this browser's WebGL 2 does not draw into floats");
-        }
-        this.gl = gl;
+        this.renderer = rendererOn(canvas);
         // Half floats count to 2048; their sums lose light before that.
-        const precise = gl.getExtension("EXT_float_blend") !== null;
-        this.sumFormat = precise ? gl.RGBA32F : gl.RGBA16F;
+        const precise = this.renderer.getContext().getExtension("EXT_float_blend") !== null;
+        this.sumType = precise ? FloatType : HalfFloatType;
         this.mostSamples = Math.min(options.samples ?? MOST_SAMPLES, precise ? 1e6 : 128);
-        this.shapeProgram = Program.begin(gl, SHAPE_VERTEX, SHAPE_FRAGMENT);
-        this.nothing = gl.createVertexArray();
-        this.shown = new Display(gl, this.nothing);
-        this.arrays = gl.createVertexArray();
-        this.buffers = [gl.createBuffer(), gl.createBuffer(), gl.createBuffer()];
-        this.lightTextures = [gl.createTexture(), gl.createTexture(), gl.createTexture()];
+        this.shape = new Pass(this.renderer, SHAPE_VERTEX, SHAPE_FRAGMENT, { depth: true });
+        this.shown = new Display(this.renderer);
         canvas.addEventListener("webglcontextlost", this.onLost);
     }
 
     setShape(mesh: Mesh, transform: Transform): void {
-        fillMesh(this.gl, this.arrays, this.buffers, mesh);
-        this.indices = mesh.indices.length;
+        this.shape.setMesh(mesh);
         this.transform = transform;
         this.restart();
     }
@@ -130,23 +116,25 @@ export class LiveView {
                 `a light of ${String(light.rectangles.length)} rectangles: must be at most ${String(MOST_RECTANGLES)}`,
             );
         }
-        const { gl } = this;
         const { width, height, picture, byColumn, byRow } = surroundings(light);
-        const [all, columns, rows] = this.lightTextures;
-        gl.activeTexture(gl.TEXTURE0);
-        fill(gl, all, "rgba16f", [width, height], picture, { linear: true, repeat: true });
-        fill(gl, columns, "r32f", [width, height], byColumn);
-        fill(gl, rows, "r32f", [height, 1], byRow);
+        const take = (name: string, ...numbers: Numbers) => {
+            this.lightTextures[name] = filled(this.lightTextures[name], ...numbers);
+        };
+        const filtering = { linear: true, repeat: true };
+        take("surroundings", "rgba16f", [width, height], picture, filtering);
+        take("byColumn", "r32f", [width, height], byColumn);
+        take("byRow", "r32f", [height, 1], byRow);
         this.light = light;
         this.restart();
     }
 
     /** Its numbers are shown from the next frame on; a program that is new, when it is compiled. */
     setPaint(paint: PaintShader): void {
-        if (!this.programs.has(paint.program)) {
-            this.programs.set(
+        if (!this.paints.has(paint.program)) {
+            const text = shading(paint.glsl, paint.smoothCoat);
+            this.paints.set(
                 paint.program,
-                Program.begin(this.gl, EVERYWHERE, shading(paint.glsl, paint.smoothCoat)),
+                new Pass(this.renderer, EVERYWHERE, text, { adds: true }),
             );
         }
         this.nextPaint = paint;
@@ -185,8 +173,7 @@ export class LiveView {
     /** Of the picture, in pixels of the screen. */
     resize(width: number, height: number): void {
         if (this.canvas.width === width && this.canvas.height === height && this.whole) return;
-        this.canvas.width = Math.max(1, width);
-        this.canvas.height = Math.max(1, height);
+        this.renderer.setSize(Math.max(1, width), Math.max(1, height), false);
         this.whole?.delete();
         this.whole = this.make(1);
         this.coarse?.delete();
@@ -205,11 +192,8 @@ export class LiveView {
 
     /** The whole picture so far in linear Rec. 709, not clipped: RGB and 1, the bottom row first. */
     pixels(): { width: number; height: number; data: Float32Array } {
-        const { gl, whole } = this;
-        if (!whole) throw new Error("the picture has no size yet");
-        const { width, height } = whole.target;
-        const data = sumOfMeans(gl, whole.target);
-        return { width, height, data };
+        if (!this.whole) throw new Error("the picture has no size yet");
+        return this.whole.means();
     }
 
     /** Draws nothing until resume(), as while another picture covers this one. */
@@ -235,7 +219,8 @@ export class LiveView {
     dispose(): void {
         this.pause();
         this.canvas.removeEventListener("webglcontextlost", this.onLost);
-        this.gl.getExtension("WEBGL_lose_context")?.loseContext();
+        this.renderer.dispose();
+        this.renderer.forceContextLoss();
     }
 
     private readonly onLost = (): void => {
@@ -265,7 +250,7 @@ export class LiveView {
     }
 
     private frame(): void {
-        const { gl } = this;
+        const gl = this.renderer.getContext() as WebGL2RenderingContext;
         if (this.underWay !== null) {
             const { sync, begun, work } = this.underWay;
             if (gl.clientWaitSync(sync, 0, 0) === gl.TIMEOUT_EXPIRED) {
@@ -302,24 +287,20 @@ export class LiveView {
     /** Hands over the numbers of a paint whose program is there. */
     private takePaint(): void {
         const paint = this.nextPaint;
-        if (paint === null || this.programs.get(paint.program)?.ready() !== true) return;
-        const { gl } = this;
+        const pass = paint === null ? undefined : this.paints.get(paint.program);
+        if (paint === null || pass?.ready() !== true) return;
         this.nextPaint = null;
         if (this.whole) {
             this.whole = this.shown.changePaint(this.whole, this.paint, paint, () => this.make(1));
         }
         this.paint = paint;
-        const program = (this.programs.get(paint.program) as Program).use();
-        for (const { name, components, array, values } of paint.uniforms) {
-            program.floats(array ? `${name}[0]` : name, components, values);
-        }
-        gl.activeTexture(gl.TEXTURE0);
+        pass.set(uniformValues(paint));
         for (const { name, size, data } of paint.textures) {
-            const target = size.length === 3 ? gl.TEXTURE_3D : gl.TEXTURE_2D;
-            const known = this.paintTextures.get(name) ?? { texture: gl.createTexture(), target };
-            this.paintTextures.set(name, known);
-            fill(gl, known.texture, "rgba16f", size, data, { linear: size.length === 3 });
+            const filtering = { linear: size.length === 3 };
+            const texture = filled(this.paintTextures.get(name), "rgba16f", size, data, filtering);
+            this.paintTextures.set(name, texture);
         }
+        pass.set(Object.fromEntries(this.paintTextures));
         if (this.whole) this.whole.samples = this.whole.rows = 0;
         if (this.coarse) this.coarse.samples = this.coarse.rows = 0;
         this.dirty = true;
@@ -329,13 +310,13 @@ export class LiveView {
     private draw(): number {
         const { whole } = this;
         if (!whole || !this.transform || !this.light || !this.camera || !this.paint) return 0;
-        if (!this.shapeProgram.ready() || !this.shown.ready()) return 0;
+        if (!this.shape.ready() || !this.shown.ready()) return 0;
         const pixels = whole.target.width * whole.target.height;
         const budget = Math.max(FRAME_MS * this.speed, LEAST_WORK);
         // A picture that a frame can hold is never coarse.
         if (pixels <= budget) return this.add(whole, Math.min(budget, 8 * pixels));
         if (whole.samples === 0 && whole.rows === 0) {
-            whole.target.clear();
+            clear(this.renderer, whole.target);
             const wanted = Math.min(Math.ceil(Math.sqrt(pixels / budget)), MOST_COARSE);
             const coarse = this.coarseOf(wanted);
             if (coarse.samples === 0) return this.add(coarse, pixels / wanted ** 2);
@@ -369,12 +350,12 @@ export class LiveView {
     private make(coarseness: number): Sums {
         const width = Math.max(1, Math.ceil(this.canvas.width / coarseness));
         const height = Math.max(1, Math.ceil(this.canvas.height / coarseness));
-        return new Sums(this.gl, width, height, this.sumFormat);
+        return new Sums(this.renderer, width, height, this.sumType);
     }
 
     private add(sums: Sums, budget: number): number {
         const { width, height } = sums.target;
-        if (sums.samples === 0 && sums.rows === 0) sums.target.clear();
+        if (sums.samples === 0 && sums.rows === 0) clear(this.renderer, sums.target);
         let work = 0;
         while (work < 0.75 * budget && sums.samples < this.mostSamples) {
             // A coarse picture's pixels are others: it shows the mean.
@@ -394,70 +375,45 @@ export class LiveView {
         return work;
     }
 
-    private drawShape(target: Target, eye: Eye, shift: readonly [number, number]): void {
-        const { gl } = this;
+    private drawShape(target: WebGLRenderTarget, eye: Eye, shift: readonly [number, number]): void {
         const camera = this.camera as Camera;
-        target.clear();
-        const program = this.shapeProgram.use();
         const transform = this.transform as Transform;
-        program.matrix("toWorld", shapeMatrix(transform, this.turn_deg, camera.target_mm));
         const moved = [(-2 * shift[0]) / target.width, (-2 * shift[1]) / target.height] as const;
-        program.matrix("toScreen", screenMatrix(eye, camera.distance_mm, moved));
-        gl.disable(gl.BLEND);
-        gl.enable(gl.DEPTH_TEST);
-        gl.bindVertexArray(this.arrays);
-        gl.drawElements(gl.TRIANGLES, this.indices, gl.UNSIGNED_INT, 0);
-        gl.bindVertexArray(this.nothing);
-        gl.disable(gl.DEPTH_TEST);
+        this.shape.set({
+            toWorld: shapeMatrix(transform, this.turn_deg, camera.target_mm),
+            toScreen: screenMatrix(eye, camera.distance_mm, moved),
+        });
+        clear(this.renderer, target);
+        this.shape.draw(target);
     }
 
     private shade(
-        sums: Sums,
+        { target, shape, samples, rows: from }: Sums,
         eye: Eye,
         part: Part,
         rows: number,
         shown: boolean,
         asks: boolean,
     ): void {
-        const { gl } = this;
-        const { target, shape } = sums;
         const paint = this.paint as PaintShader;
-        const program = (this.programs.get(paint.program) as Program).use();
-        let unit = 0;
-        const texture = (name: string, made: WebGLTexture, kind: GLenum = gl.TEXTURE_2D) => {
-            gl.activeTexture(gl.TEXTURE0 + unit);
-            gl.bindTexture(kind, made);
-            program.int(name, unit++);
-        };
-        for (const [name, { texture: made, target: kind }] of this.paintTextures) {
-            texture(name, made, kind);
-        }
-        const names = ["surroundings", "byColumn", "byRow"];
-        names.forEach((name, k) => {
-            texture(name, this.lightTextures[k] as WebGLTexture);
-        });
-        texture("placeAt", shape.textures[0] as WebGLTexture);
-        texture("facingAt", shape.textures[1] as WebGLTexture);
         const camera = this.camera as Camera;
-        setLight(program, this.light as Light, this.lightTurn_deg, camera.target_mm);
-        program.floats("eye", 3, eye.place);
-        program.floats("ahead", 3, eye.ahead);
-        program.floats("across", 3, eye.across);
-        program.floats("upwards", 3, eye.upwards);
-        program.floats("size", 2, [target.width, target.height]);
-        program.floats("shift", 2, part.place);
         const toRest = restMatrix(this.transform as Transform, this.turn_deg, camera.target_mm);
-        setFlakes(program, toRest, part, shown, asks);
-        gl.uniform1ui(program.at("sampleIndex"), sums.samples);
-        target.bind();
-        gl.enable(gl.SCISSOR_TEST);
-        gl.scissor(0, sums.rows, target.width, rows);
-        gl.enable(gl.BLEND);
-        gl.blendFunc(gl.ONE, gl.ONE);
-        gl.bindVertexArray(this.nothing);
-        gl.drawArrays(gl.TRIANGLES, 0, 3);
-        gl.disable(gl.BLEND);
-        gl.disable(gl.SCISSOR_TEST);
+        const pass = this.paints.get(paint.program) as Pass;
+        pass.set({
+            ...this.lightTextures,
+            ...lightValues(this.light as Light, this.lightTurn_deg, camera.target_mm),
+            placeAt: shape.textures[0] as Texture,
+            facingAt: shape.textures[1] as Texture,
+            eye: eye.place,
+            ahead: eye.ahead,
+            across: eye.across,
+            upwards: eye.upwards,
+            size: [target.width, target.height],
+            shift: part.place,
+            ...flakeValues(toRest, part, shown, asks),
+            sampleIndex: samples,
+        });
+        pass.draw(target, [from, rows]);
     }
 
     private display(): void {

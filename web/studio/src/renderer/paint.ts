@@ -1,6 +1,7 @@
 /** What is drawn, as the server sends it: a paint's shader, a shape and a light. */
 
 import type { Attachment, Message } from "../protocol";
+import type { Value } from "./pass";
 
 /** A paint as `src/nacre/exchange/webgl_shader.h` makes it. */
 export interface PaintShader {
@@ -28,7 +29,17 @@ export interface PaintTexture {
     /** Width, height and, of three dimensions, depth. */
     readonly size: readonly number[];
     /** Bits of half floats in RGBA. */
-    readonly data: Uint16Array;
+    readonly data: Uint16Array<ArrayBuffer>;
+}
+
+/** Uniforms as shaders are given them. */
+export function uniformValues({ uniforms }: PaintShader): Record<string, Value> {
+    return Object.fromEntries(
+        uniforms.map(({ name, components, array, values }) => {
+            const single = components === 1 && !array;
+            return [name, single ? (values[0] as number) : Float32Array.from(values)];
+        }),
+    );
 }
 
 /** Triangles in millimetres of the shape's own coordinates; z up. */
@@ -96,7 +107,7 @@ export function readPaint(
         textures: attachments.map(({ name, shape, data }) => ({
             name,
             size: shape.slice(0, -1).reverse(),
-            data: new Uint16Array(data.buffer, data.byteOffset, data.byteLength / 2),
+            data: new Uint16Array(data.buffer as ArrayBuffer, data.byteOffset, data.byteLength / 2),
         })),
     };
 }

@@ -1,21 +1,28 @@
 /** A picture that samples add up to. */
 
-import { Target } from "./gl";
+import type { TextureDataType, WebGLRenderer, WebGLRenderTarget } from "three";
+import { DataUtils, FloatType } from "three";
+import { makeTarget } from "./pass";
 
 export class Sums {
     /** Light, and that of single flakes apart from it. */
-    readonly target: Target;
+    readonly target: WebGLRenderTarget;
     /** Where the shape is seen by the sample under way, and its normals. */
-    readonly shape: Target;
+    readonly shape: WebGLRenderTarget;
     /** Of every pixel. */
     samples = 0;
     /** That have the sample under way. */
     rows = 0;
 
-    /** @param format  of the sums: floats of one or the other width */
-    constructor(gl: WebGL2RenderingContext, width: number, height: number, format: GLenum) {
-        this.target = new Target(gl, width, height, [format, format], false);
-        this.shape = new Target(gl, width, height, [gl.RGBA32F, gl.RGBA32F], true);
+    /** @param type  of the sums: floats of one or the other width */
+    constructor(
+        private readonly renderer: WebGLRenderer,
+        width: number,
+        height: number,
+        private readonly type: TextureDataType,
+    ) {
+        this.target = makeTarget(renderer, width, height, type, { count: 2 });
+        this.shape = makeTarget(renderer, width, height, FloatType, { count: 2, depth: true });
     }
 
     /** So many rows more have the sample under way. */
@@ -26,8 +33,42 @@ export class Sums {
         ++this.samples;
     }
 
+    /** RGB of light and flakes together, each divided by the number of its samples; and 1. */
+    means(): { width: number; height: number; data: Float32Array } {
+        const { width, height } = this.target;
+        const data = new Float32Array(4 * width * height);
+        for (let index = 0; index < this.target.textures.length; ++index) {
+            const sums = this.read(index);
+            for (let i = 0; i < data.length; i += 4) {
+                const scale = 1 / Math.max(sums[i + 3] as number, 1);
+                for (let c = i; c < i + 3; ++c) {
+                    data[c] = (data[c] as number) + scale * (sums[c] as number);
+                }
+                data[i + 3] = 1;
+            }
+        }
+        return { width, height, data };
+    }
+
     delete(): void {
-        this.target.delete();
-        this.shape.delete();
+        this.target.dispose();
+        this.shape.dispose();
+    }
+
+    private read(index: number): ArrayLike<number> {
+        const { target, type } = this;
+        const { width, height } = target;
+        const count = 4 * width * height;
+        const read = (into: Float32Array | Uint16Array) => {
+            this.renderer.readRenderTargetPixels(target, 0, 0, width, height, into, 0, index);
+        };
+        if (type === FloatType) {
+            const sums = new Float32Array(count);
+            read(sums);
+            return sums;
+        }
+        const halves = new Uint16Array(count);
+        read(halves);
+        return Float32Array.from(halves, (bits) => DataUtils.fromHalfFloat(bits));
     }
 }

@@ -6,11 +6,11 @@ export interface Surroundings {
     readonly width: number;
     readonly height: number;
     /** RGBA, for linear filtering. */
-    readonly picture: Float32Array;
+    readonly picture: Float32Array<ArrayBuffer>;
     /** Of each row, the probability of a column up to and with this one: (height, width). */
-    readonly byColumn: Float32Array;
+    readonly byColumn: Float32Array<ArrayBuffer>;
     /** The probability of a row up to and with this one: (height). */
-    readonly byRow: Float32Array;
+    readonly byRow: Float32Array<ArrayBuffer>;
 }
 
 const LARGEST_HALF = 65504;
