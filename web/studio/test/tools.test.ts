@@ -199,6 +199,74 @@ test("the report is printed on two pages of A4", async () => {
     await report.close();
 });
 
+/** Two kinds of flakes that differ in their films alone: which of them has which film, no colour tells. */
+const TWO_FILMS = (first: number, second: number) => `ior = 1.5
+[[layer]]
+thickness_um = 15
+${[first, second]
+    .map(
+        (thickness) => `[[layer.flakes]]
+volume_fraction = 0.04
+diameter_um = 20
+orientation = { distribution = "beckmann", alpha = 0.13 }
+core = { material = "mica", thickness_nm = 300 }
+coats = [{ material = "TiO2_anatase", thickness_nm = ${String(thickness)} }]
+`,
+    )
+    .join("")}[substrate]
+reflectance = 0.05
+`;
+
+test("a fit with two answers has both to choose from, and the second is used", async () => {
+    const keys = [0, 1].map((k) => `layer[0].flakes[${String(k)}].coats[0].thickness_nm`);
+    const paste = async (toml: string) => {
+        await page.evaluate((text) => {
+            const data = new DataTransfer();
+            data.setData("text", text);
+            document.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data }));
+        }, toml);
+        await page.locator(field(keys[1] ?? "")).waitFor();
+        await settled();
+    };
+    const films = () => Promise.all(keys.map(async (key) => +(await page.inputValue(field(key)))));
+    await open();
+    await paste(TWO_FILMS(60, 110));
+    const wanted = await chips();
+    await page.click("text=Take this paint");
+    await page.waitForFunction(() => document.querySelectorAll(".chip .delta").length === 6);
+    await paste(TWO_FILMS(80, 90));
+    await page.waitForFunction(() => document.querySelectorAll(".chip .delta.fails").length > 0);
+    await page.getByRole("tab", { name: "Fit" }).click();
+    for (const label of await page.locator(".free").all()) {
+        const film = (await label.textContent())?.includes("TiO2_anatase") === true;
+        await label.locator("input").setChecked(film);
+    }
+    await page.getByRole("button", { name: "Fit 2 numbers" }).click();
+    await page.getByRole("button", { name: "Use match 2" }).waitFor();
+    assert.equal(await page.locator(".matches li").count(), 2);
+    const found: number[][] = [];
+    for (const match of [1, 2]) {
+        await page.getByRole("button", { name: `Use match ${String(match)}` }).click();
+        await settled();
+        assert.match(
+            (await page.getAttribute(`.matches li:nth-child(${String(match)})`, "class")) ?? "",
+            /used/,
+        );
+        found.push(await films());
+        for (const [geometry, lab] of await chips()) {
+            lab.forEach((x, c) => {
+                assert.ok(Math.abs(x - (wanted.get(geometry)?.[c] ?? NaN)) < 0.05, geometry);
+            });
+        }
+    }
+    // Either has both films, the one where the other has the other.
+    found.sort(([a = 0], [b = 0]) => a - b);
+    [60, 110, 110, 60].forEach((film, i) => {
+        assert.ok(Math.abs((found.flat()[i] ?? NaN) - film) < 0.5, JSON.stringify(found));
+    });
+    await page.click("[aria-label='Remove the standard']");
+});
+
 test("the page says that another program answers, and goes on with its own", async () => {
     const first = await Program.start("white");
     const { port } = new URL(first.url);
