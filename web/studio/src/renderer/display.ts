@@ -22,6 +22,9 @@ const KEPT = 16;
 const light = ({ textures }: WebGLRenderTarget): Texture => textures[0] as Texture;
 const flakes = ({ textures }: WebGLRenderTarget): Texture => textures[1] as Texture;
 
+const isLike = (means: WebGLRenderTarget | null, { target }: Sums): boolean =>
+    means?.width === target.width && means.height === target.height;
+
 /** What makes the flakes of a specimen: their places, slopes and sizes, but not what they reflect. */
 function flakesOf(paint: PaintShader): string {
     const numbers = ["nacreField", "nacreFieldLevels", "nacreFieldKey"].map(
@@ -36,6 +39,8 @@ export class Display {
     /** The last whole picture, and of which flakes; its means around the pixels of a coarse one. */
     private before: { sums: Sums; flakes: string; means: WebGLRenderTarget | null } | null = null;
     private glitters = false;
+    /** Of the coarse picture, for the screen to filter. */
+    private coarseMeans: WebGLRenderTarget | null = null;
 
     constructor(private readonly renderer: WebGLRenderer) {
         this.screen = new Pass(renderer, EVERYWHERE, DISPLAY);
@@ -76,14 +81,17 @@ export class Display {
         const hasCoarse = coarse !== null && coarse.samples > 0;
         const before = this.glitters && hasCoarse ? this.before : null;
         const was = before?.sums ?? whole;
-        const means = before === null ? null : this.meansOf(before, coarse as Sums);
+        if (hasCoarse) this.coarseMeans = this.meansOf(coarse, coarse, this.coarseMeans);
+        if (before !== null && !isLike(before.means, coarse as Sums)) {
+            before.means = this.meansOf(before.sums, coarse as Sums, before.means);
+        }
         this.screen.set({
             whole: light(whole.target),
             wholeFlakes: flakes(whole.target),
-            coarse: light((coarse ?? whole).target),
+            coarseMeans: light(this.coarseMeans ?? whole.target),
             before: light(was.target),
             beforeFlakes: flakes(was.target),
-            beforeMeans: light(means ?? whole.target),
+            beforeMeans: light(before?.means ?? whole.target),
             size: this.renderer.getDrawingBufferSize(new Vector2()).toArray(),
             enough: hasCoarse ? ENOUGH : 0,
             glitters: before === null ? 0 : 1,
@@ -92,21 +100,24 @@ export class Display {
         this.screen.draw(null);
     }
 
+    /** Around the pixels of a picture that is as coarse or coarser. @param into  what was there before */
     private meansOf(
-        before: { sums: Sums; means: WebGLRenderTarget | null },
+        { target }: Sums,
         like: Sums,
+        into: WebGLRenderTarget | null,
     ): WebGLRenderTarget {
         const { width, height } = like.target;
-        if (before.means?.width === width && before.means.height === height) return before.means;
-        before.means?.dispose();
-        before.means = makeTarget(this.renderer, width, height, HalfFloatType);
-        const { target } = before.sums;
+        let means = into;
+        if (means === null || !isLike(means, like)) {
+            means?.dispose();
+            means = makeTarget(this.renderer, width, height, HalfFloatType, { linear: true });
+        }
         this.average.set({
-            before: light(target),
-            beforeFlakes: flakes(target),
+            sums: light(target),
+            sumsOfFlakes: flakes(target),
             size: [width, height],
         });
-        this.average.draw(before.means);
-        return before.means;
+        this.average.draw(means);
+        return means;
     }
 }

@@ -6,7 +6,7 @@
  * of the shape to another.
  */
 
-import type { Texture, TextureDataType, WebGLRenderer, WebGLRenderTarget } from "three";
+import type { Texture, TextureDataType, WebGLRenderer } from "three";
 import { FloatType, HalfFloatType } from "three";
 import { Display } from "./display";
 import type { Part } from "./flakes";
@@ -48,7 +48,11 @@ const FRAME_MS = 30;
 /** Samples of pixels that are worth a frame on any machine. */
 const LEAST_WORK = 4096;
 const COARSE_SAMPLES = 24;
-const MOST_COARSE = 8;
+const MOST_COARSE = 10;
+/** As long as drawing may take in the frame that follows a slider, where a frame does not hold the whole picture. */
+const MOVING_MS = 15;
+/** There what is new is drawn once, and not refined before so long: the next move may be on its way. */
+const REST_MS = 200;
 /** Of a sample that asks flakes, over one that does not, where processors draw. */
 const ASKING_COST = 6;
 const MOST_SAMPLES = 1024;
@@ -85,6 +89,9 @@ export class LiveView {
     private frame_ms = 0;
     private underWay: { sync: WebGLSync; begun: number; work: number } | null = null;
     private request = 0;
+    private timer: ReturnType<typeof setTimeout> | undefined;
+    /** Until then what is there is not refined. */
+    private restsUntil = 0;
     private dirty = false;
     private stopped = false;
     private held = false;
@@ -200,6 +207,7 @@ export class LiveView {
     pause(): void {
         this.stopped = true;
         cancelAnimationFrame(this.request);
+        clearTimeout(this.timer);
         this.request = 0;
     }
 
@@ -230,8 +238,11 @@ export class LiveView {
 
     private restart(): void {
         this.shown.forget();
-        if (this.whole) this.whole.samples = this.whole.rows = 0;
-        if (this.coarse) this.coarse.samples = this.coarse.rows = 0;
+        for (const sums of [this.whole, this.coarse]) {
+            if (sums === null) continue;
+            sums.samples = sums.rows = 0;
+            sums.shapeFrom = null;
+        }
         this.dirty = true;
         this.schedule();
     }
@@ -247,6 +258,13 @@ export class LiveView {
                 this.options.onFault?.(error instanceof Error ? error.message : String(error));
             }
         });
+    }
+
+    private scheduleAt(when: number): void {
+        clearTimeout(this.timer);
+        this.timer = setTimeout(() => {
+            this.schedule();
+        }, when - performance.now());
     }
 
     private frame(): void {
@@ -265,11 +283,12 @@ export class LiveView {
             this.speed = 0.5 * this.speed + (0.5 * work) / drawing_ms;
         }
         this.takePaint();
-        if (this.held && !this.dirty) {
+        const begun = performance.now();
+        if (!this.dirty && (this.held || begun < this.restsUntil)) {
             if (this.nextPaint !== null) this.schedule();
+            else if (!this.held) this.scheduleAt(this.restsUntil);
             return;
         }
-        const begun = performance.now();
         const work = this.draw();
         if (work > 0 || this.dirty) {
             this.display();
@@ -317,9 +336,15 @@ export class LiveView {
         if (pixels <= budget) return this.add(whole, Math.min(budget, 8 * pixels));
         if (whole.samples === 0 && whole.rows === 0) {
             clear(this.renderer, whole.target);
-            const wanted = Math.min(Math.ceil(Math.sqrt(pixels / budget)), MOST_COARSE);
+            const wanted = Math.min(
+                Math.ceil(Math.sqrt(pixels / (MOVING_MS * this.speed))),
+                MOST_COARSE,
+            );
             const coarse = this.coarseOf(wanted);
-            if (coarse.samples === 0) return this.add(coarse, pixels / wanted ** 2);
+            if (coarse.samples === 0) {
+                this.restsUntil = performance.now() + REST_MS;
+                return this.add(coarse, pixels / wanted ** 2);
+            }
         }
         const { coarse } = this;
         if (
@@ -367,7 +392,7 @@ export class LiveView {
                 Math.min(height - sums.rows, Math.round((budget - work) / cost)),
             );
             const eye = eyeOf(this.camera as Camera, this.canvas.width / this.canvas.height);
-            if (sums.rows === 0) this.drawShape(sums.shape, eye, part.place);
+            if (sums.rows === 0) this.drawShape(sums, eye, part.place);
             this.shade(sums, eye, part, rows, shown, asks);
             work += rows * cost;
             sums.added(rows);
@@ -375,7 +400,11 @@ export class LiveView {
         return work;
     }
 
-    private drawShape(target: WebGLRenderTarget, eye: Eye, shift: readonly [number, number]): void {
+    private drawShape(sums: Sums, eye: Eye, shift: readonly [number, number]): void {
+        // A new paint begins with a sample of the same place: triangles take longer than a coarse picture.
+        if (sums.shapeFrom?.[0] === shift[0] && sums.shapeFrom[1] === shift[1]) return;
+        sums.shapeFrom = shift;
+        const { shape: target } = sums;
         const camera = this.camera as Camera;
         const transform = this.transform as Transform;
         const moved = [(-2 * shift[0]) / target.width, (-2 * shift[1]) / target.height] as const;

@@ -154,13 +154,13 @@ export function makeTarget(
     width: number,
     height: number,
     type: TextureDataType,
-    { count = 1, depth = false } = {},
+    { count = 1, depth = false, linear = false } = {},
 ): WebGLRenderTarget {
     const target = new WebGLRenderTarget(width, height, {
         count,
         type,
-        minFilter: NearestFilter,
-        magFilter: NearestFilter,
+        minFilter: linear ? LinearFilter : NearestFilter,
+        magFilter: linear ? LinearFilter : NearestFilter,
         depthBuffer: depth,
     });
     clear(renderer, target);

@@ -243,21 +243,22 @@ vec3 lightOf(sampler2D sums, sampler2D flakes, ivec2 pixel) {
 }
 `;
 
-/** Of a picture, around the pixels of a coarser one. */
+/** Of a picture, around the pixels of one that is as coarse or coarser. */
 export const AVERAGE = `${HEAD}${MEANS}
-uniform sampler2D before;
-uniform sampler2D beforeFlakes;
+uniform sampler2D sums;
+uniform sampler2D sumsOfFlakes;
 uniform vec2 size;
 out vec4 around;
 void main() {
-    vec2 step = vec2(textureSize(before, 0)) / size;
+    vec2 step = vec2(textureSize(sums, 0)) / size;
     ivec2 begin = ivec2(floor((gl_FragCoord.xy - .5) * step)), end = ivec2(ceil((gl_FragCoord.xy + .5) * step));
-    end = min(end, textureSize(before, 0));
+    end = min(end, textureSize(sums, 0));
     vec4 sum = vec4(0.);
     for (int y = begin.y; y < end.y; ++y) for (int x = begin.x; x < end.x; ++x) {
-        sum += vec4(lightOf(before, beforeFlakes, ivec2(x, y)), 1.);
+        bool known = texelFetch(sums, ivec2(x, y), 0).a > 0.;
+        if (known) sum += vec4(lightOf(sums, sumsOfFlakes, ivec2(x, y)), 1.);
     }
-    around = mean(sum);
+    around = min(mean(sum), 65504.); // the largest half float
 }`;
 
 /**
@@ -267,44 +268,29 @@ void main() {
 export const DISPLAY = `${HEAD}${MEANS}
 uniform sampler2D whole;
 uniform sampler2D wholeFlakes;
-uniform sampler2D coarse;
+uniform sampler2D coarseMeans;  // filtered between its pixels, which are larger
 uniform sampler2D before;
 uniform sampler2D beforeFlakes;
-uniform sampler2D beforeMeans;
+uniform sampler2D beforeMeans;  // around the same larger pixels
 uniform vec2 size;
 uniform float enough;   // samples
 uniform bool glitters;  // as the picture before
 uniform bool warn;      // of colours outside the gamut
 out vec4 seen;
 
-vec4 between(sampler2D pixels) {
-    ivec2 last = textureSize(pixels, 0) - 1;
-    vec2 at = gl_FragCoord.xy / size * vec2(last + 1) - .5, low = floor(at), part = at - low;
-    vec4 sum = vec4(0.);
-    for (int k = 0; k < 4; ++k) {
-        ivec2 step = ivec2(k & 1, k >> 1);
-        vec2 weight = mix(1. - part, part, vec2(step));
-        sum += weight.x * weight.y * mean(texelFetch(pixels, clamp(ivec2(low) + step, ivec2(0), last), 0));
-    }
-    return mean(sum);
-}
+vec4 between(sampler2D means) { return mean(texture(means, gl_FragCoord.xy / size)); }
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec4 value = texelFetch(whole, pixel, 0);
-    vec3 linear = mean(value).rgb + mean(texelFetch(wholeFlakes, pixel, 0)).rgb;
-    bool known = value.a > 0.; // else what lies behind the canvas is seen
-    if (value.a < enough) {
-        vec4 around = between(coarse);
-        if (around.a > 0.) {
-            linear = around.rgb;
-            known = true;
-        }
-        if (glitters) {
-            float was = brightness(between(beforeMeans).rgb);
-            float is = brightness(lightOf(before, beforeFlakes, pixel));
-            if (was > 1e-4) linear *= is / was;
-        }
+    vec4 value = texelFetch(whole, pixel, 0), around = vec4(0.);
+    if (value.a < enough) around = between(coarseMeans);
+    bool known = max(value.a, around.a) > 0.; // else what lies behind the canvas is seen
+    vec3 linear = around.rgb;
+    if (around.a == 0.) linear = mean(value).rgb + mean(texelFetch(wholeFlakes, pixel, 0)).rgb;
+    if (glitters && value.a < enough) {
+        float was = brightness(between(beforeMeans).rgb);
+        float is = brightness(lightOf(before, beforeFlakes, pixel));
+        if (was > 1e-4) linear *= is / was;
     }
     vec3 clipped = clamp(linear, 0., 1.);
     vec3 encoded = mix(12.92 * clipped, 1.055 * pow(max(clipped, 1e-6), vec3(1. / 2.4)) - .055,

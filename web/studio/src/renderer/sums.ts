@@ -9,6 +9,8 @@ export class Sums {
     readonly target: WebGLRenderTarget;
     /** Where the shape is seen by the sample under way, and its normals. */
     readonly shape: WebGLRenderTarget;
+    /** From where in its pixels that was seen last. */
+    shapeFrom: readonly [number, number] | null = null;
     /** Of every pixel. */
     samples = 0;
     /** That have the sample under way. */
