@@ -115,6 +115,15 @@ struct FlakeDepths {
     FloatLanes swallowed{};  ///< of it, what they absorb
 };
 
+/// What was scattered more than once, or by the ground.
+struct ScatteredAgain {
+    FloatLanes all{};
+    /// Of it, what has met the ground: all that lies below the lowest flakes.
+    FloatLanes from_ground{};
+    /// Of the rest, what left the coat when it first met the interface from inside.
+    FloatLanes unreturned{};
+};
+
 /// The piece of a surface that one sample of a picture looks at, in the terms that the surface
 /// needs (SurfaceCoordinates). Surfaces that show single flakes depend on it.
 struct Patch {
@@ -222,14 +231,8 @@ class BoundBsdf {
 
     /// Optical depth of the clear coat along its normal.
     virtual FloatLanes coat_depth() const { return FloatLanes{}; }
-    /// What of eval() was scattered more than once, or by the ground, above the horizon.
-    virtual FloatLanes scattered_again(Vec3f /*wi*/, Vec3f /*wo*/) const { return FloatLanes{}; }
-    /// Of it, what has met the ground: all that lies below the lowest flakes.
-    virtual FloatLanes from_ground(Vec3f /*wi*/, Vec3f /*wo*/) const { return FloatLanes{}; }
-    /// Of the rest, what left the coat when it first met the interface from inside.
-    virtual FloatLanes unreturned(Vec3f wi, Vec3f wo) const {
-        return scattered_again(wi, wo) - from_ground(wi, wo);
-    }
+    /// Of eval(), above the horizon.
+    virtual ScatteredAgain scattered_again(Vec3f /*wi*/, Vec3f /*wo*/) const { return {}; }
     /// Of the layers down to the lowest flakes, for light whose cosine inside to the flakes' mean normal,
     /// above 0, is given.
     virtual FlakeDepths flake_depths(float /*cosine*/) const { return {}; }

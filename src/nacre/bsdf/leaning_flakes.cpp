@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
+#include "nacre/bsdf/warp.h"
 #include "nacre/core/lane_math.h"
 #include "nacre/optics/fresnel.h"
 
@@ -21,17 +23,20 @@ constexpr float kFarCosine = 0.5f;
 /// A - (A - 1) sqrt(rho* / rho) of light that would hardly leave flakes and interface but by the ground.
 constexpr float kLeastReturnRatio = 0.1f;
 
+/// Fraction of the samples that are spread over the hemisphere: the flat paint's own do not reach what
+/// lies beyond its critical angle, a tenth and more of all light.
+constexpr float kAround = 1 / 4.0f;
+
+/// The direction from which the ground is seen, away from this azimuth.
+Vec3f far_from(Vec2f azimuth) {
+    const float sine = std::sqrt(1 - kFarCosine * kFarCosine);
+    return {-sine * azimuth.x, -sine * azimuth.y, kFarCosine};
+}
+
 /// E(x) = (1 - e^-x) / x.
 FloatLanes escape(const FloatLanes& x) {
     const FloatLanes safe = max_lanes(x, splat(1e-20f));
     return one_minus_exp_lanes(safe) / safe;
-}
-
-/// ln(cosh g + s sinh(g) / g), g^2 = s^2 - r^2.
-FloatLanes log_blocking(const FloatLanes& s, const FloatLanes& r) {
-    const FloatLanes g = sqrt_lanes(max_lanes(s * s - r * r, splat(1e-8f)));
-    const FloatLanes once = one_minus_exp_lanes(2.0f * g);
-    return g + log_lanes(1.0f - 0.5f * once + s * (0.5f * once / g));
 }
 
 FloatLanes lost_on_the_way(const FlakeDepths& depths) { return depths.flakes + depths.swallowed; }
@@ -56,11 +61,6 @@ LeaningFlakes::Lean LeaningFlakes::Lean::twice() const {
     return Lean({n.x * longer, n.y * longer});
 }
 
-FloatLanes LeaningFlakes::Returned::eval(Vec3f wi, Vec3f wo) const {
-    const FloatLanes known = flat_.unreturned(wi, wo) + flat_.from_ground(wi, wo);
-    return max_lanes(flat_.scattered_again(wi, wo) - known, FloatLanes{});
-}
-
 std::unique_ptr<const BoundBsdf> bind_with_lean(const Bsdf& surface,
                                                 const Wavelengths& wavelengths_nm) {
     auto bound = surface.bind(wavelengths_nm);
@@ -69,93 +69,137 @@ std::unique_ptr<const BoundBsdf> bind_with_lean(const Bsdf& surface,
     return std::make_unique<const LeaningFlakes>(std::move(bound), LeaningFlakes::Lean(*lean));
 }
 
-FloatLanes LeaningFlakes::again_factor(const Lean& lean, Vec3f wi, Vec3f wo) const {
-    // The cosine to the layer's normal, and the tilted coat's own.
-    const auto inside = [&](Vec3f w) {
-        const Vec3f in = refracted(w, index_.mean);
-        return Vec2f{in.z, dot(in, lean.n)};
-    };
-    const Vec2f i = inside(wi), o = inside(wo);
-    if (!(i.x > 0) || !(i.y > 0) || !(o.x > 0) || !(o.y > 0)) return FloatLanes{};
-    const float longer = 1 / i.x - 1 / i.y + 1 / o.x - 1 / o.y;  // the way through the clear coat
-    return (o.x / o.y) * exp_lanes(-longer * coat_depth_);
+LeaningFlakes::LeaningFlakes(const BoundBsdf& flat, const Lean& lean,
+                             std::optional<Vec3f> seen_from)
+    : flat_(flat),
+      lean_(lean),
+      twice_(lean.twice()),
+      index_(flat.binder_index()),
+      coat_depth_(flat.coat_depth()),
+      coat_absorbs_(lane_max(coat_depth_) > 0),
+      least_cosine_(
+          std::sqrt(1 - (1 - kMinFlatCosine * kMinFlatCosine) / (index_.mean * index_.mean))),
+      ground_(flat.scattered_again({0, 0, 1}, far_from({1, 0})).from_ground) {
+    if (over_ground()) along_normal_ = flat_passage(1, 1);
+    if (const auto ray = seen_from ? ray_of(*seen_from) : std::nullopt) {
+        seen_from_ = see(*ray);
+        if (over_ground()) seen_from_->ground = ground_rays(*seen_from_);
+    }
 }
 
-FloatLanes LeaningFlakes::seen_once(Vec3f true_i, Vec3f true_o, float cosine_i,
-                                    float cosine_o) const {
-    const auto depth = [&](float cosine) {
-        const FlakeDepths depths = flat_.flake_depths(cosine);
-        return depths.flakes + depths.pigments;
-    };
-    const FloatLanes here =
-        depth(dot(true_i, lean_.n)) / true_i.z + depth(dot(true_o, lean_.n)) / true_o.z;
-    const FloatLanes asked = depth(cosine_i) / cosine_i + depth(cosine_o) / cosine_o;
-    return (cosine_i * cosine_o / (true_i.z * true_o.z)) * escape(here) / escape(asked);
+FloatLanes LeaningFlakes::transmittance(float cosine_outside) const {
+    return 1.0f - optics::dielectric_reflectance(splat(1.0f), index_.each, splat(cosine_outside));
 }
 
-FloatLanes LeaningFlakes::once_over_again(Vec3f wi, Vec3f wo) const {
-    const Vec3f i = refracted(wi, index_.mean), o = refracted(wo, index_.mean);
-    const float cosine_i = dot(i, lean_.n), cosine_o = dot(o, lean_.n);
-    if (!(i.z > 0) || !(o.z > 0) || !(cosine_i > 0) || !(cosine_o > 0)) return FloatLanes{};
-    return seen_once(i, o, cosine_i, cosine_o);
+std::optional<LeaningFlakes::Ray> LeaningFlakes::ray_of(Vec3f w) const {
+    if (w.z <= 0) return std::nullopt;
+    Ray ray;
+    ray.outside = w;
+    ray.inside = refracted(w, index_.mean);
+    // Within the critical angle, and no lean goes beyond the rest (paint::limits::kLeanTilt).
+    ray.cosine = dot(ray.inside, lean_.n);
+    if (!(ray.cosine > 0) || !(dot(ray.inside, twice_.n) > 0)) return std::nullopt;
+    ray.flat = flat_of(lean_, ray.inside);
+    const bool leaves = ray.flat.z > kMinFlatCosine;
+    ray.jacobian = leaves ? ray.cosine * w.z / (ray.inside.z * ray.flat.z) : 0.0f;
+    return ray;
 }
 
-LeaningFlakes::GroundRays LeaningFlakes::ground_rays(Vec3f w) const {
-    const float n = index_.mean;
-    const Vec3f in = refracted(w, n), there = twice_.to_flakes(in);
-    const float cosine = dot(in, lean_.n);
-    GroundRays rays;
-    if (!(in.z > 0) || !(cosine > 0) || !(there.z > 0)) return rays;
+// Outside a flat coat, of a direction inside that the frame of the lean turns; beyond the critical angle at it.
+Vec3f LeaningFlakes::flat_of(const Lean& lean, Vec3f inside) const {
+    const float n = index_.mean, x = n * dot(inside, lean.s), y = n * dot(inside, lean.t);
+    const float sine2 = x * x + y * y, cosine2 = 1 - sine2;
+    if (cosine2 > kMinFlatCosine * kMinFlatCosine) return {x, y, std::sqrt(cosine2)};
+    const float shorter = std::sqrt((1 - kMinFlatCosine * kMinFlatCosine) / sine2);
+    return {x * shorter, y * shorter, kMinFlatCosine};
+}
 
+LeaningFlakes::Seen LeaningFlakes::see(const Ray& ray) const {
+    Seen seen;
+    static_cast<Ray&>(seen) = ray;
+    seen.twice = flat_of(twice_, ray.inside);
+    const FlakeDepths depths = flat_.flake_depths(ray.cosine);
+    const FloatLanes depth = depths.flakes + depths.pigments;
+    seen.depth = depth * (1 / ray.inside.z);
+    seen.asked = depth * (1 / ray.cosine);
+    seen.transmitted = transmittance(ray.outside.z);
+    seen.again = seen.transmitted / transmittance(ray.flat.z);
+    seen.again_twice = seen.transmitted / transmittance(seen.twice.z);
+    if (coat_absorbs_) {
+        // The way through the clear coat is that of the true direction.
+        const float here = 1 / ray.inside.z;
+        seen.again *= exp_lanes((1 / ray.cosine - here) * coat_depth_);
+        seen.again_twice *= exp_lanes((1 / dot(ray.inside, twice_.n) - here) * coat_depth_);
+    }
+    return seen;
+}
+
+const LeaningFlakes::Seen* LeaningFlakes::see(Vec3f w, std::optional<Seen>& room) const {
+    if (seen_from_ && w == seen_from_->outside) return &*seen_from_;
+    const auto ray = ray_of(w);
+    if (!ray) return nullptr;
+    return &room.emplace(see(*ray));
+}
+
+FloatLanes LeaningFlakes::seen_once(const Seen& i, const Seen& o) const {
+    return (i.cosine * o.cosine / (i.inside.z * o.inside.z)) * escape(i.depth + o.depth) /
+           escape(i.asked + o.asked);
+}
+
+// e^kappa / (cosh g + s sinh(g) / g), g^2 = s^2 - r^2, for light that is `transmitted` by the interface.
+LeaningFlakes::Passage LeaningFlakes::passage(const FloatLanes& s, const FloatLanes& r,
+                                              const FloatLanes& kappa,
+                                              const FloatLanes& transmitted) {
+    const FloatLanes g = sqrt_lanes(max_lanes(s * s - r * r, splat(1e-8f)));
+    const FloatLanes half = 0.5f * one_minus_exp_lanes(2.0f * g);
+    return {kappa - g, transmitted / (1.0f - half + s * half / g)};
+}
+
+LeaningFlakes::Passage LeaningFlakes::flat_passage(float inside, float outside) const {
+    const FlakeDepths depths = flat_.flake_depths(inside);
+    const float path = 1 / inside;
+    return passage(lost_on_the_way(depths) * path, depths.mirrored * path, -path * coat_depth_,
+                   transmittance(outside));
+}
+
+LeaningFlakes::GroundRays LeaningFlakes::ground_rays(const Seen& seen) const {
+    const float cosine = seen.cosine;
     const FlakeDepths depths = flat_.flake_depths(cosine);
     const FloatLanes met = lost_on_the_way(depths) * (1 / cosine);
-    const float down = in.z / cosine, up = std::max(2 * lean_.n.z - down, kMinMirroredRatio);
-    const FloatLanes passed =
-        0.5f * (1 / up - 1 / down) * met -
-        log_blocking(0.5f * (1 / up + 1 / down) * met,
-                     depths.mirrored * (1 / (cosine * std::sqrt(down * up)))) -
-        coat_depth_ * (1 / in.z);
-    const auto transmittance = [&](float outside) {
-        return 1.0f - optics::dielectric_reflectance(splat(1.0f), index_.each, splat(outside));
+    const float down = seen.inside.z / cosine,
+                up = std::max(2 * lean_.n.z - down, kMinMirroredRatio);
+    const Passage here = passage(
+        0.5f * (1 / up + 1 / down) * met, depths.mirrored * (1 / (cosine * std::sqrt(down * up))),
+        0.5f * (1 / up - 1 / down) * met - (1 / seen.inside.z) * coat_depth_, seen.transmitted);
+    const auto over = [&](const Passage& flat) {
+        return exp_lanes(here.exponent - flat.exponent) * (here.factor / flat.factor);
     };
-    const FloatLanes entered = transmittance(w.z);
-    // By which light of the flat paint differs that is asked with these cosines inside and outside.
-    const auto over_flat = [&](float z, float outside) {
-        const FlakeDepths flat = flat_.flake_depths(z);
-        const FloatLanes passed_there =
-            -log_blocking(lost_on_the_way(flat) * (1 / z), flat.mirrored * (1 / z)) -
-            coat_depth_ * (1 / z);
-        return entered / transmittance(outside) * exp_lanes(passed - passed_there);
-    };
-    const float across = std::hypot(there.x, there.y);
-    const Vec2f azimuth =
-        across > 0 ? Vec2f{there.x / across, there.y / across} : Vec2f{1.0f, 0.0f};
-    const auto ask = [&](float z, float weight) {
-        const float sine = n * std::sqrt(std::max(0.0f, 1 - z * z));
+    const float n = index_.mean, z = dot(seen.inside, twice_.n);
+    const float x = dot(seen.inside, twice_.s), y = dot(seen.inside, twice_.t);
+    const float across = std::sqrt(x * x + y * y);
+    const Vec2f azimuth = across > 0 ? Vec2f{x / across, y / across} : Vec2f{1.0f, 0.0f};
+    // A is seen from far on the other side, where large flakes have no hot spot.
+    const Vec3f from = far_from(azimuth);
+    GroundRays rays;
+    FloatLanes from_here{};
+    const auto ask = [&](float inside, float weight) {
+        const float sine = n * std::sqrt(std::max(0.0f, 1 - inside * inside));
         const Vec3f asked = normalize(
             Vec3f{sine * azimuth.x, sine * azimuth.y, std::sqrt(std::max(1e-8f, 1 - sine * sine))});
         rays.w[rays.count] = asked;
-        rays.factor[rays.count] = weight * over_flat(z, asked.z);
+        rays.factor[rays.count] = weight * over(flat_passage(inside, asked.z));
+        from_here += flat_.scattered_again(asked, from).from_ground * rays.factor[rays.count];
         ++rays.count;
     };
-    // The cosine inside at which the flat paint's light just leaves.
-    const float least = std::sqrt(1 - (1 - kMinFlatCosine * kMinFlatCosine) / (n * n));
-    if (there.z >= least) {
-        ask(there.z, 1);
+    if (z >= least_cosine_) {
+        ask(z, 1);
     } else {
-        ask(least, 2);
-        ask(std::cos(2 * std::acos(least) - std::acos(there.z)), -1);
+        ask(least_cosine_, 2);
+        ask(std::cos(2 * std::acos(least_cosine_) - std::acos(z)), -1);
     }
-
-    // A: seen from far on the other side, where large flakes have no hot spot.
-    const float far = std::sqrt(1 - kFarCosine * kFarCosine);
-    const Vec3f from{-far * azimuth.x, -far * azimuth.y, kFarCosine};
-    const FloatLanes along_normal = flat_.from_ground({0, 0, 1}, from) * over_flat(1, 1);
-    FloatLanes here{};
-    for (int k = 0; k < rays.count; ++k)
-        here += flat_.from_ground(rays.w[k], from) * rays.factor[k];
+    const FloatLanes along_normal = ground_ * over(along_normal_);
     const FloatLanes returned =
-        max_lanes(here / max_lanes(along_normal, splat(1e-20f)), splat(1.0f)) - 1.0f;
+        max_lanes(from_here / max_lanes(along_normal, splat(1e-20f)), splat(1.0f)) - 1.0f;
     const FloatLanes here_over_flat =
         max_lanes(1.0f + returned * (1 - std::sqrt(up / down)), splat(kLeastReturnRatio));
     for (int k = 0; k < rays.count; ++k) {
@@ -164,31 +208,34 @@ LeaningFlakes::GroundRays LeaningFlakes::ground_rays(Vec3f w) const {
     return rays;
 }
 
-FloatLanes LeaningFlakes::from_ground_here(Vec3f wi, Vec3f wo) const {
-    const GroundRays i = ground_rays(wi), o = ground_rays(wo);
+// `twice` is the flat paint's at Seen::twice.
+FloatLanes LeaningFlakes::from_ground(const Seen& i, const Seen& o, const FloatLanes& twice) const {
+    const bool both_leave = i.twice.z > kMinFlatCosine && o.twice.z > kMinFlatCosine;
+    if (!(lane_max(twice) > 0) && (both_leave || !over_ground())) return FloatLanes{};
+    const GroundRays rays_i = i.ground ? *i.ground : ground_rays(i);
+    const GroundRays rays_o = o.ground ? *o.ground : ground_rays(o);
+    if (both_leave) return twice * rays_i.factor[0] * rays_o.factor[0];
     FloatLanes sum{};
-    for (int a = 0; a < i.count; ++a) {
-        for (int b = 0; b < o.count; ++b) {
-            sum += flat_.from_ground(i.w[a], o.w[b]) * i.factor[a] * o.factor[b];
+    for (int a = 0; a < rays_i.count; ++a) {
+        for (int b = 0; b < rays_o.count; ++b) {
+            sum += flat_.scattered_again(rays_i.w[a], rays_o.w[b]).from_ground * rays_i.factor[a] *
+                   rays_o.factor[b];
         }
     }
     return max_lanes(sum, FloatLanes{});
 }
 
-std::optional<LeaningFlakes::Nearest> LeaningFlakes::nearest(Vec3f wi, Vec3f wo) const {
+LeaningFlakes::Nearest LeaningFlakes::nearest(const Seen& seen_i, const Seen& seen_o) const {
     const float n = index_.mean;
-    // The cosine inside at which the flat paint's light just leaves.
-    const float least = std::sqrt(1 - (1 - kMinFlatCosine * kMinFlatCosine) / (n * n));
-    const Vec3f in_i = refracted(wi, n), in_o = refracted(wo, n);
-    const Vec3f i = lean_.to_flakes(in_i), o = lean_.to_flakes(in_o);
-    if (i.z >= least && o.z >= least) return std::nullopt;
+    const Vec3f i = lean_.to_flakes(seen_i.inside), o = lean_.to_flakes(seen_o.inside);
     Nearest pair{{0, 0, 1}, {0, 0, 1}, {}};
     const Vec3f sum = i + o, apart = i - o;
-    if (!(i.z > 0) || !(o.z > 0) || !(dot(apart, apart) > 0)) return pair;
+    if (!(dot(apart, apart) > 0)) return pair;
     const Vec3f h = normalize(sum), e = normalize(apart);
-    if (h.z <= least) return pair;  // of steep flakes, of which there are none
-    // cos d h.z - sin d |e.z| = least, d half the angle between the two.
-    const float d = std::acos(least / std::hypot(h.z, e.z)) - std::atan2(std::abs(e.z), h.z);
+    if (h.z <= least_cosine_) return pair;  // of steep flakes, of which there are none
+    // cos d h.z - sin d |e.z| = least_cosine_, d half the angle between the two.
+    const float d =
+        std::acos(least_cosine_ / std::hypot(h.z, e.z)) - std::atan2(std::abs(e.z), h.z);
     if (!(d > 0)) return pair;
     const Vec3f there_i = std::cos(d) * h + std::sin(d) * e;
     const Vec3f there_o = std::cos(d) * h - std::sin(d) * e;
@@ -198,126 +245,199 @@ std::optional<LeaningFlakes::Nearest> LeaningFlakes::nearest(Vec3f wi, Vec3f wo)
     };
     pair.wi = leave(there_i);
     pair.wo = leave(there_o);
-    const auto passed = [&](float cosine) {
-        return 1.0f - optics::dielectric_reflectance(splat(1.0f), index_.each, splat(cosine));
+    const auto asked_there = [&](Seen seen, float cosine) {
+        const FlakeDepths depths = flat_.flake_depths(cosine);
+        seen.cosine = cosine;
+        seen.asked = (depths.flakes + depths.pigments) / cosine;
+        return seen;
     };
-    const FloatLanes paths = seen_once(in_i, in_o, there_i.z, there_o.z);
-    const float longer = 1 / in_i.z - 1 / there_i.z + 1 / in_o.z - 1 / there_o.z;
-    pair.factor = passed(wi.z) / passed(pair.wi.z) * (passed(wo.z) / passed(pair.wo.z)) * paths *
+    const float longer = 1 / seen_i.inside.z - 1 / there_i.z + 1 / seen_o.inside.z - 1 / there_o.z;
+    pair.factor = seen_i.transmitted / transmittance(pair.wi.z) *
+                  (seen_o.transmitted / transmittance(pair.wo.z)) *
+                  seen_once(asked_there(seen_i, there_i.z), asked_there(seen_o, there_o.z)) *
                   exp_lanes(-longer * coat_depth_);
     return pair;
 }
 
-template <class Flat>
-FloatLanes LeaningFlakes::righted(const FloatLanes& tilted, Vec3f wi, Vec3f wo,
-                                  const Flat& flat) const {
-    const Vec3f i = lean_.to_flakes(wi), o = lean_.to_flakes(wo);
-    const FloatLanes again = again_factor(lean_, wi, wo);
-    FloatLanes once{};
-    if (const auto pair = nearest(wi, wo)) {
-        const FloatLanes all = flat(pair->wi, pair->wo);
-        once =
-            max_lanes(all - flat_.scattered_again(pair->wi, pair->wo), FloatLanes{}) * pair->factor;
+template <class F>
+FloatLanes LeaningFlakes::value(const Seen& i, const Seen& o, const FloatLanes& f,
+                                const F& asked) const {
+    const ScatteredAgain again = flat_.scattered_again(i.flat, o.flat);
+    const ScatteredAgain twice = flat_.scattered_again(i.twice, o.twice);
+    FloatLanes once;
+    if (beyond_critical(i, o)) {
+        const Nearest pair = nearest(i, o);
+        const FloatLanes all = asked(pair.wi, pair.wo);
+        once = max_lanes(all - flat_.scattered_again(pair.wi, pair.wo).all, FloatLanes{}) *
+               pair.factor;
     } else {
-        once =
-            (tilted - min_lanes(coat_again_.eval(i, o), tilted)) * again * once_over_again(wi, wo);
+        once = (f - min_lanes(again.all, f)) * once_factor(i, o);
     }
-    const FloatLanes unreturned = coat_unreturned_.eval(i, o);
-    const FloatLanes returned = coat_returned_.eval(twice_.to_flakes(wi), twice_.to_flakes(wo));
-    return once + unreturned * again + returned * again_factor(twice_, wi, wo) +
-           from_ground_here(wi, wo);
+    const FloatLanes returned =
+        max_lanes(twice.all - (twice.unreturned + twice.from_ground), FloatLanes{});
+    return once + again.unreturned * i.again * o.again + returned * i.again_twice * o.again_twice +
+           from_ground(i, o, twice.from_ground);
+}
+
+float LeaningFlakes::mixed_pdf(float flat, const Ray& o) {
+    return (1 - kAround) * flat * o.jacobian +
+           kAround * std::numbers::inv_pi_v<float> * o.outside.z;
 }
 
 float LeaningFlakes::pdf(Vec3f wi, Vec3f wo) const {
-    return coat_.pdf(lean_.to_flakes(wi), lean_.to_flakes(wo));
+    const auto i = ray_of(wi), o = ray_of(wo);
+    return i && o ? mixed_pdf(flat_.pdf(i->flat, o->flat), *o) : 0.0f;
+}
+
+template <class Evaluate>
+BsdfValue LeaningFlakes::evaluate_by(Vec3f wi, Vec3f wo, const Evaluate& asked) const {
+    std::optional<Seen> room_i, room_o;
+    const Seen *i = see(wi, room_i), *o = see(wo, room_o);
+    if (!i || !o) return {};
+    BsdfValue flat;
+    if (o->jacobian > 0) flat = asked(i->flat, o->flat);
+    return {value(*i, *o, flat.f, [&](Vec3f a, Vec3f b) { return asked(a, b).f; }),
+            mixed_pdf(flat.pdf, *o)};
+}
+
+template <class Sample, class Evaluate>
+std::optional<BsdfSample> LeaningFlakes::sample_by(Vec3f wi, float u_select, Vec2f u,
+                                                   const Sample& sample,
+                                                   const Evaluate& asked) const {
+    std::optional<Seen> room_i, room_o;
+    const Seen* const i = see(wi, room_i);
+    if (!i) return std::nullopt;
+    if (u_select >= 1 - kAround) {
+        BsdfSample out;
+        out.wo = cosine_hemisphere(u);
+        const BsdfValue value = evaluate_by(wi, out.wo, asked);
+        if (!(value.pdf > 0)) return std::nullopt;
+        out.pdf = value.pdf;
+        out.weight = value.f * (out.wo.z / value.pdf);
+        return out;
+    }
+    const float rest = std::min(u_select / (1 - kAround), 0x1.fffffep-1f);
+    auto out = sample(i->flat, rest, u);
+    if (!out) return std::nullopt;
+    if (out->kind == SampleKind::specular) {
+        // Of the interface, whatever the flakes do.
+        out->pdf *= 1 - kAround;
+        out->wo = {-wi.x, -wi.y, wi.z};
+        out->weight = (1.0f - i->transmitted) * (1 / out->pdf);
+        return out;
+    }
+    const Vec3f inside = lean_.from_flakes(refracted(out->wo, index_.mean));
+    const float x = index_.mean * inside.x, y = index_.mean * inside.y, cosine2 = 1 - x * x - y * y;
+    if (!(cosine2 > 0) || !(inside.z > 0)) return std::nullopt;
+    const auto ray = ray_of({x, y, std::sqrt(cosine2)});
+    if (!ray || ray->jacobian == 0) return std::nullopt;
+    // The same as evaluate_by(), without asking the flat paint again.
+    const Seen* const o = &room_o.emplace(see(*ray));
+    const FloatLanes f = out->weight * (out->pdf / out->wo.z);
+    out->wo = o->outside;
+    out->pdf = mixed_pdf(out->pdf, *o);
+    out->weight =
+        value(*i, *o, f, [&](Vec3f a, Vec3f b) { return asked(a, b).f; }) * (out->wo.z / out->pdf);
+    return out;
 }
 
 FloatLanes LeaningFlakes::pdf_lanes(Vec3f wi, const Vec3Lanes& wo) const {
-    Vec3Lanes turned;
-    for (int k = 0; k < kLanes; ++k) {
-        const Vec3f w = lean_.to_flakes(lane(wo, k));
-        turned.x[k] = w.x;
-        turned.y[k] = w.y;
-        turned.z[k] = w.z;
-    }
-    return coat_.pdf_lanes(lean_.to_flakes(wi), turned);
+    const auto i = ray_of(wi);
+    if (!i) return FloatLanes{};
+    // ray_of() and mixed_pdf() of eight directions; those below the horizon are taken somewhere above, and
+    // left out then.
+    const float n = index_.mean;
+    const FloatLanes outside = max_lanes(wo.z, splat(1e-6f));
+    const FloatLanes along = sqrt_lanes(n * n - 1 + outside * outside);  // inside, times n
+    const Vec3Lanes inside = {wo.x, wo.y, along};
+    const FloatLanes x = dot(inside, splat(lean_.s)), y = dot(inside, splat(lean_.t)),
+                     cosine = dot(inside, splat(lean_.n)), cosine2 = 1.0f - x * x - y * y;
+    const FloatLanes z = sqrt_lanes(max_lanes(cosine2, splat(kMinFlatCosine * kMinFlatCosine)));
+    const FloatLanes flat = flat_.pdf_lanes(i->flat, {x, y, z});
+    const FloatLanes drawn = cosine2 > kMinFlatCosine * kMinFlatCosine
+                                 ? flat * (cosine * outside / (along * z))
+                                 : FloatLanes{};
+    const FloatLanes pdf =
+        (1 - kAround) * drawn + kAround * std::numbers::inv_pi_v<float> * outside;
+    return wo.z > 0.0f ? pdf : FloatLanes{};
 }
 
 float LeaningFlakes::specular_probability(Vec3f wi) const {
-    return coat_.specular_probability(lean_.to_flakes(wi));
+    const auto i = ray_of(wi);
+    return i ? (1 - kAround) * flat_.specular_probability(i->flat) : 0.0f;
 }
 
 BsdfValue LeaningFlakes::evaluate(Vec3f wi, Vec3f wo) const {
-    if (wi.z <= 0 || wo.z <= 0) return {};
-    BsdfValue value = coat_.evaluate(lean_.to_flakes(wi), lean_.to_flakes(wo));
-    value.f = righted(value.f, wi, wo, [&](Vec3f i, Vec3f o) { return flat_.eval(i, o); });
-    return value;
+    return evaluate_by(wi, wo, [&](Vec3f i, Vec3f o) { return flat_.evaluate(i, o); });
 }
 
 BsdfValue LeaningFlakes::evaluate_on(const Patch& patch, Vec3f wi, Vec3f wo) const {
-    if (wi.z <= 0 || wo.z <= 0) return {};
-    BsdfValue value = coat_.evaluate_on(patch, lean_.to_flakes(wi), lean_.to_flakes(wo));
-    value.f = righted(value.f, wi, wo,
-                      [&](Vec3f i, Vec3f o) { return flat_.evaluate_on(patch, i, o).f; });
-    return value;
-}
-
-template <class Flat>
-std::optional<BsdfSample> LeaningFlakes::turned(std::optional<BsdfSample> sample, Vec3f wi,
-                                                const Flat& flat) const {
-    if (!sample) return sample;
-    if (sample->kind == SampleKind::specular) {
-        sample->wo = {-wi.x, -wi.y, wi.z};  // whatever the flakes do
-        return sample;
-    }
-    sample->wo = lean_.from_flakes(sample->wo);
-    if (!(sample->wo.z > 0)) return std::nullopt;
-    const float cosine_over_pdf = sample->wo.z / sample->pdf;
-    sample->weight =
-        righted(sample->weight * (1 / cosine_over_pdf), wi, sample->wo, flat) * cosine_over_pdf;
-    return sample;
+    return evaluate_by(wi, wo, [&](Vec3f i, Vec3f o) { return flat_.evaluate_on(patch, i, o); });
 }
 
 std::optional<BsdfSample> LeaningFlakes::sample(Vec3f wi, float u_select, Vec2f u) const {
-    return turned(coat_.sample(lean_.to_flakes(wi), u_select, u), wi,
-                  [&](Vec3f i, Vec3f o) { return flat_.eval(i, o); });
+    return sample_by(
+        wi, u_select, u,
+        [&](Vec3f i, float select, Vec2f at) { return flat_.sample(i, select, at); },
+        [&](Vec3f i, Vec3f o) { return flat_.evaluate(i, o); });
 }
 
 std::optional<BsdfSample> LeaningFlakes::sample_on(const Patch& patch, Vec3f wi, float u_select,
                                                    Vec2f u) const {
-    return turned(coat_.sample_on(patch, lean_.to_flakes(wi), u_select, u), wi,
-                  [&](Vec3f i, Vec3f o) { return flat_.evaluate_on(patch, i, o).f; });
+    return sample_by(
+        wi, u_select, u,
+        [&](Vec3f i, float select, Vec2f at) { return flat_.sample_on(patch, i, select, at); },
+        [&](Vec3f i, Vec3f o) { return flat_.evaluate_on(patch, i, o); });
 }
 
 float LeaningFlakes::narrow_light(Vec3f wi) const {
-    return coat_.narrow_light(lean_.to_flakes(wi));
+    const auto i = ray_of(wi);
+    return i ? flat_.narrow_light(i->flat) : std::numeric_limits<float>::infinity();
 }
 
 void LeaningFlakes::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
                                std::vector<AskedFlake>& list) const {
-    coat_.ask_flakes(patch, lean_.to_flakes(wi), random, list);
-    for (AskedFlake& flake : list) flake.wo = lean_.from_flakes(flake.wo);
+    list.clear();
+    const auto i = ray_of(wi);
     // Where a pair stands for another nothing is asked: flakes_at() has it all.
-    std::erase_if(list, [&](const AskedFlake& flake) {
-        return !(flake.wo.z > 0) || nearest(wi, flake.wo).has_value();
+    if (!i || i->jacobian == 0) return;
+    flat_.ask_flakes(patch, i->flat, random, list);
+    const float n = index_.mean;
+    std::erase_if(list, [&](AskedFlake& flake) {
+        if (flake.wo.z <= kMinFlatCosine) return true;
+        const Vec3f there = refracted(flake.wo, n), inside = lean_.from_flakes(there);
+        const float x = n * inside.x, y = n * inside.y, cosine2 = 1 - x * x - y * y;
+        if (!(cosine2 > 0)) return true;
+        const float z = std::sqrt(cosine2);
+        flake.pdf *= there.z * z / (inside.z * flake.wo.z);
+        flake.wo = {x, y, z};
+        return false;
     });
 }
 
 FloatLanes LeaningFlakes::flake_weight(const Patch& patch, Vec3f wi,
                                        const AskedFlake& flake) const {
+    std::optional<Seen> room_i, room_o;
+    const Seen *i = see(wi, room_i), *o = see(flake.wo, room_o);
+    if (!i || !o || beyond_critical(*i, *o)) return FloatLanes{};
     AskedFlake asked = flake;
-    asked.wo = lean_.to_flakes(flake.wo);
-    return coat_.flake_weight(patch, lean_.to_flakes(wi), asked) *
-           again_factor(lean_, wi, flake.wo) * once_over_again(wi, flake.wo);
+    asked.wo = o->flat;
+    asked.pdf = flake.pdf / o->jacobian;
+    // Its cosines are those to the flat paint.
+    return flat_.flake_weight(patch, i->flat, asked) * once_factor(*i, *o) *
+           (o->inside.z / o->cosine);
 }
 
 FloatLanes LeaningFlakes::flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float pdf) const {
-    if (const auto pair = nearest(wi, wo)) {
-        return flat_.flakes_at(patch, pair->wi, pair->wo, std::numeric_limits<float>::infinity()) *
-               pair->factor;
+    std::optional<Seen> room_i, room_o;
+    const Seen *i = see(wi, room_i), *o = see(wo, room_o);
+    if (!i || !o) return FloatLanes{};
+    if (beyond_critical(*i, *o)) {
+        const Nearest pair = nearest(*i, *o);
+        return flat_.flakes_at(patch, pair.wi, pair.wo, std::numeric_limits<float>::infinity()) *
+               pair.factor;
     }
-    return coat_.flakes_at(patch, lean_.to_flakes(wi), lean_.to_flakes(wo), pdf) *
-           again_factor(lean_, wi, wo) * once_over_again(wi, wo);
+    return flat_.flakes_at(patch, i->flat, o->flat, pdf / o->jacobian) * once_factor(*i, *o);
 }
 
 }  // namespace nacre::bsdf

@@ -9,16 +9,17 @@
 #include <vector>
 
 #include "nacre/bsdf/bsdf.h"
-#include "nacre/bsdf/tilted_coat.h"
+#include "nacre/core/vec.h"
 
 namespace nacre::bsdf {
 
 /// A paint whose flakes lean, by one whose flakes lie flat: seen from the frame of the leaning flakes,
-/// theirs lie flat and it is the coat that is tilted (TiltedCoat).            [docs/flakes.md]
+/// theirs lie flat and it is coat and layers that are tilted. The flat paint is asked with what a flat coat
+/// over it refracts into the directions that light has inside.                [docs/flakes.md]
 ///
 /// What that does to the layers is put right for light that meets one flake. Flakes block a path by
 /// sigma(c'), c' its cosine to their normal, and light crosses the layer by 1/mu, mu its cosine to the
-/// layer's, which of the tilted coat's own is c' as well:
+/// layer's, which of the flat paint's own is c' as well:
 ///
 ///     single(wi, wo) = flat_single(wi', wo') T(t_i) / T'_i  T(t_o) / T'_o
 ///                      c'_i c'_o / (mu_i mu_o)  E(s_i / mu_i + s_o / mu_o) / E(s_i / c'_i + s_o / c'_o)
@@ -72,19 +73,9 @@ class LeaningFlakes final : public BoundBsdf {
     };
 
     /// @param flat  whose flakes lie flat; must outlive this
-    LeaningFlakes(const BoundBsdf& flat, const Lean& lean)
-        : flat_(flat),
-          lean_(lean),
-          index_(flat.binder_index()),
-          coat_depth_(flat.coat_depth()),
-          twice_(lean.twice()),
-          again_{flat},
-          unreturned_{flat},
-          returned_{flat},
-          coat_(flat, lean.to_flakes({0, 0, 1})),
-          coat_again_(again_, lean.to_flakes({0, 0, 1})),
-          coat_unreturned_(unreturned_, lean.to_flakes({0, 0, 1})),
-          coat_returned_(returned_, twice_.to_flakes({0, 0, 1})) {}
+    /// @param seen_from  a direction that is asked again and again: what it needs is kept
+    LeaningFlakes(const BoundBsdf& flat, const Lean& lean,
+                  std::optional<Vec3f> seen_from = std::nullopt);
     LeaningFlakes(const LeaningFlakes&) = delete;
     LeaningFlakes& operator=(const LeaningFlakes&) = delete;
     /// The same, which keeps `flat`.
@@ -103,54 +94,61 @@ class LeaningFlakes final : public BoundBsdf {
     std::optional<BsdfSample> sample_on(const Patch& patch, Vec3f wi, float u_select,
                                         Vec2f u) const override;
 
-    bool tells_flakes_apart() const override { return coat_.tells_flakes_apart(); }
+    bool tells_flakes_apart() const override { return flat_.tells_flakes_apart(); }
     float narrow_light(Vec3f wi) const override;
     void ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
                     std::vector<AskedFlake>& list) const override;
     FloatLanes flake_weight(const Patch& patch, Vec3f wi, const AskedFlake& flake) const override;
     FloatLanes flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float pdf) const override;
-    std::size_t patch_memory_bytes() const override { return coat_.patch_memory_bytes(); }
+    std::size_t patch_memory_bytes() const override { return flat_.patch_memory_bytes(); }
 
     /// Of flakes that lie flat.
-    FloatLanes albedo(Vec3f wi) const override { return coat_.albedo(wi); }
+    FloatLanes albedo(Vec3f wi) const override { return flat_.albedo(wi); }
     BinderIndex binder_index() const override { return index_; }
 
  private:
-    /// A part of the flat paint's light, as a surface.
-    class PartOf : public BoundBsdf {
-     public:
-        explicit PartOf(const BoundBsdf& flat) : flat_(flat) {}
-        float pdf(Vec3f, Vec3f) const override { return 0; }
-        std::optional<BsdfSample> sample(Vec3f, float, Vec2f) const override {
-            return std::nullopt;
-        }
-        FloatLanes albedo(Vec3f) const override { return FloatLanes{}; }
-        BinderIndex binder_index() const override { return flat_.binder_index(); }
-
-     protected:
-        const BoundBsdf& flat_;
+    /// A direction above the horizon.
+    struct Ray {
+        Vec3f outside, inside;
+        float cosine;  ///< inside, to the flakes' mean normal
+        Vec3f flat;    ///< outside a flat coat over flat flakes, of the same direction inside
+        /// Solid angle of `flat` over that of the direction; 0 beyond its critical angle.
+        float jacobian;
     };
+    /// None where the direction is not above the horizon.
+    std::optional<Ray> ray_of(Vec3f w) const;
     /// A direction by one or two of the flat paint's, weighted, in the frame that leans twice as much.
     struct GroundRays {
         int count = 0;
         std::array<Vec3f, 2> w;
         std::array<FloatLanes, 2> factor;
     };
-    GroundRays ground_rays(Vec3f w) const;
-    FloatLanes from_ground_here(Vec3f wi, Vec3f wo) const;
-
-    struct Again final : PartOf {
-        using PartOf::PartOf;
-        FloatLanes eval(Vec3f wi, Vec3f wo) const override { return flat_.scattered_again(wi, wo); }
+    /// With what values need of the direction, whatever the other.
+    struct Seen : Ray {
+        Vec3f twice;             ///< as `flat`, in the frame that leans twice as much
+        FloatLanes transmitted;  ///< by the interface
+        /// Of flakes and pigments, over the cosine to the layers and over that to the flakes.
+        FloatLanes depth, asked;
+        /// By which light that was scattered again differs from the flat paint's at `flat` and `twice`.
+        FloatLanes again, again_twice;
+        std::optional<GroundRays> ground;  ///< where it is kept
     };
-    struct Unreturned final : PartOf {
-        using PartOf::PartOf;
-        FloatLanes eval(Vec3f wi, Vec3f wo) const override { return flat_.unreturned(wi, wo); }
+    Seen see(const Ray& ray) const;
+    /// Of a direction above the horizon, what is kept or else what is put into `room`; or null.
+    const Seen* see(Vec3f w, std::optional<Seen>& room) const;
+    Vec3f flat_of(const Lean& lean, Vec3f inside) const;
+    FloatLanes transmittance(float cosine_outside) const;
+    /// Of light that crosses flakes and coat and leaves: factor e^exponent.
+    struct Passage {
+        FloatLanes exponent, factor;
     };
-    struct Returned final : PartOf {
-        using PartOf::PartOf;
-        FloatLanes eval(Vec3f wi, Vec3f wo) const override;
-    };
+    static Passage passage(const FloatLanes& s, const FloatLanes& r, const FloatLanes& kappa,
+                           const FloatLanes& transmitted);
+    /// Through the flat paint, by its cosines inside and outside.
+    Passage flat_passage(float inside, float outside) const;
+    bool over_ground() const { return lane_max(ground_) > 0; }
+    GroundRays ground_rays(const Seen& seen) const;
+    FloatLanes from_ground(const Seen& i, const Seen& o, const FloatLanes& twice) const;
 
     /// A pair of directions outside the flat paint that stands for one beyond its critical angle, and by
     /// which what met one flake differs from it.
@@ -158,36 +156,41 @@ class LeaningFlakes final : public BoundBsdf {
         Vec3f wi, wo;
         FloatLanes factor{};
     };
-    /// None where the flat paint has the pair itself.
-    std::optional<Nearest> nearest(Vec3f wi, Vec3f wo) const;
-
-    /// f here.
-    /// @param tilted  that of the tilted coat
-    /// @param flat    (wi, wo): f of the flat paint
-    template <class Flat>
-    FloatLanes righted(const FloatLanes& tilted, Vec3f wi, Vec3f wo, const Flat& flat) const;
-    /// By which light that was scattered again differs from that of the coat in the frame of a lean.
-    FloatLanes again_factor(const Lean& lean, Vec3f wi, Vec3f wo) const;
-    /// Of light that met one flake, over again_factor().
-    FloatLanes once_over_again(Vec3f wi, Vec3f wo) const;
+    Nearest nearest(const Seen& i, const Seen& o) const;
+    /// Whether the flat paint has no such pair.
+    static bool beyond_critical(const Ray& i, const Ray& o) {
+        return i.jacobian == 0 || o.jacobian == 0;
+    }
     /// Of layers of flakes, c'_i c'_o / (mu_i mu_o) E() / E() as above.
-    /// @param true_i, true_o   inside
-    /// @param cosine_i, cosine_o  of the directions that are asked, to the flakes' mean
-    FloatLanes seen_once(Vec3f true_i, Vec3f true_o, float cosine_i, float cosine_o) const;
-    template <class Flat>
-    std::optional<BsdfSample> turned(std::optional<BsdfSample> sample, Vec3f wi,
-                                     const Flat& flat) const;
+    FloatLanes seen_once(const Seen& i, const Seen& o) const;
+    /// By which what met one flake differs.
+    FloatLanes once_factor(const Seen& i, const Seen& o) const {
+        return i.again * o.again * seen_once(i, o);
+    }
+
+    /// @param asked  evaluate(wi, wo) of the flat paint
+    template <class Evaluate>
+    BsdfValue evaluate_by(Vec3f wi, Vec3f wo, const Evaluate& asked) const;
+    template <class Sample, class Evaluate>
+    std::optional<BsdfSample> sample_by(Vec3f wi, float u_select, Vec2f u, const Sample& sample,
+                                        const Evaluate& asked) const;
+    /// @param asked  f(wi, wo) of the flat paint
+    /// @param f      of the flat paint at Ray::flat, within the critical angle
+    template <class F>
+    FloatLanes value(const Seen& i, const Seen& o, const FloatLanes& f, const F& asked) const;
+    /// Per solid angle here, of samples that the flat paint draws with the density `flat`.
+    static float mixed_pdf(float flat, const Ray& o);
 
     std::unique_ptr<const BoundBsdf> owned_;
     const BoundBsdf& flat_;
-    Lean lean_;
+    Lean lean_, twice_;
     BinderIndex index_;
     FloatLanes coat_depth_;
-    Lean twice_;
-    Again again_;
-    Unreturned unreturned_;
-    Returned returned_;
-    TiltedCoat coat_, coat_again_, coat_unreturned_, coat_returned_;
+    bool coat_absorbs_;
+    float least_cosine_;  ///< inside, at which the flat paint's light just leaves
+    FloatLanes ground_;   ///< the flat paint's light from the ground along its normal; 0 over black
+    Passage along_normal_{{}, splat(1.0f)};  ///< there, if not over black
+    std::optional<Seen> seen_from_;
 };
 
 /// A surface as its values are told: flakes that lean do so along x and y of the frame.

@@ -91,12 +91,13 @@ TEST(LeaningFlakes, LightFromTheGroundIsWhatTheFlakesOverBlackHaveNot) {
     for (int i = 0; i < 300; ++i) {
         const Vec3f wi = direction(85 * rng.uniform_double(), 360 * rng.uniform_double());
         const Vec3f wo = direction(85 * rng.uniform_double(), 360 * rng.uniform_double());
-        const float f = white.bound->eval(wi, wo)[0], ground = white.bound->from_ground(wi, wo)[0];
+        const ScatteredAgain over_white = white.bound->scattered_again(wi, wo);
+        const ScatteredAgain over_black = black.bound->scattered_again(wi, wo);
+        const float f = white.bound->eval(wi, wo)[0], ground = over_white.from_ground[0];
         ASSERT_NEAR(f - ground, black.bound->eval(wi, wo)[0], 2e-3f * f);
         brightest = std::max(brightest, double{ground / f});
-        EXPECT_EQ(black.bound->from_ground(wi, wo)[0], 0);
-        ASSERT_NEAR(white.bound->unreturned(wi, wo)[0], black.bound->unreturned(wi, wo)[0],
-                    1e-3f * f);
+        EXPECT_EQ(over_black.from_ground[0], 0);
+        ASSERT_NEAR(over_white.unreturned[0], over_black.unreturned[0], 1e-3f * f);
     }
     EXPECT_GT(brightest, 0.8);
 }

@@ -17,33 +17,22 @@ constexpr float kMinFlatCosine = 1e-3f;
 /// Cosine between the eye and a slope that is just seen.
 constexpr float kMinSeenCosine = 1e-3f;
 /// Fraction of the samples that are spread over the tilted hemisphere, of which the flat coat's own
-/// do not reach what lies beyond its critical angle: a rim under the waves of a coat, a tenth and more
-/// of all light under one that is tilted as a whole.
-constexpr float kAroundWaves = 1 / 32.0f, kAroundWhole = 1 / 4.0f;
+/// do not reach what lies beyond its critical angle.
+constexpr float kAround = 1 / 32.0f;
 
 }  // namespace
 
 TiltedCoat::TiltedCoat(const BoundBsdf& flat, Vec2f slope, Vec3f seen_from)
-    : flat_(flat),
-      index_(flat.binder_index()),
-      normal_(normalize(Vec3f{-slope.x, -slope.y, 1})),
-      around_(kAroundWaves) {
+    : flat_(flat), index_(flat.binder_index()), normal_(normalize(Vec3f{-slope.x, -slope.y, 1})) {
     const float facing = dot(normal_, seen_from);
     if (seen_from.z > 0 && facing < kMinSeenCosine) {
         normal_ = normalize(normal_ + (kMinSeenCosine - facing) * seen_from);
     }
 }
 
-TiltedCoat::TiltedCoat(const BoundBsdf& flat, Vec3f normal)
-    : flat_(flat),
-      index_(flat.binder_index()),
-      normal_(normal),
-      mean_(normal),
-      around_(kAroundWhole) {}
-
 std::optional<TiltedCoat::Ray> TiltedCoat::ray_of(Vec3f w) const {
-    const float cosine = dot(w, normal_), to_mean = dot(w, mean_);
-    if (to_mean <= 0 || cosine <= 0) return std::nullopt;
+    const float cosine = dot(w, normal_);
+    if (w.z <= 0 || cosine <= 0) return std::nullopt;
     const float n = index_.mean;
     const float sine2 = std::max(0.0f, 1 - cosine * cosine);
     const float cosine_inside = std::sqrt(std::max(0.0f, 1 - sine2 / (n * n)));
@@ -54,7 +43,7 @@ std::optional<TiltedCoat::Ray> TiltedCoat::ray_of(Vec3f w) const {
     Ray ray;
     ray.cosine = cosine;
     const float through = inside.z / n * cosine / cosine_inside;
-    ray.irradiance = through / to_mean;
+    ray.irradiance = through / w.z;
     const float flat_sine2 = inside.x * inside.x + inside.y * inside.y;
     const float flat_cosine2 = 1 - flat_sine2;
     if (flat_cosine2 > kMinFlatCosine * kMinFlatCosine) {
@@ -87,12 +76,12 @@ std::optional<Vec3f> TiltedCoat::leave(Vec3f flat) const {
     const float cosine2 = 1 - dot(across, across), along = dot(inside, normal_);
     if (!(cosine2 > 0) || along <= 0) return std::nullopt;
     const Vec3f w = normalize(inside - (along - std::sqrt(cosine2)) * normal_);
-    if (dot(w, mean_) <= 0) return std::nullopt;
+    if (w.z <= 0) return std::nullopt;
     return w;
 }
 
 float TiltedCoat::mixed_pdf(float flat_pdf, const Ray& o) const {
-    return (1 - around_) * flat_pdf + around_ * std::numbers::inv_pi_v<float> * o.cosine;
+    return (1 - kAround) * flat_pdf + kAround * std::numbers::inv_pi_v<float> * o.cosine;
 }
 
 template <class Evaluate>
@@ -110,23 +99,22 @@ std::optional<BsdfSample> TiltedCoat::sample_by(Vec3f wi, float u_select, Vec2f 
                                                 const Evaluate& evaluate) const {
     const auto i = ray_of(wi);
     if (!i) return std::nullopt;
-    if (u_select >= 1 - around_) {
+    if (u_select >= 1 - kAround) {
         BsdfSample out;
         out.wo = Frame::around(normal_).to_world(cosine_hemisphere(u));
         const BsdfValue value = evaluate_by(wi, out.wo, evaluate);
         if (!(value.pdf > 0)) return std::nullopt;
         out.pdf = value.pdf;
-        out.weight = value.f * (dot(out.wo, mean_) / value.pdf);
+        out.weight = value.f * (out.wo.z / value.pdf);
         return out;
     }
-    const float rest = std::min(u_select / (1 - around_), 0x1.fffffep-1f);
+    const float rest = std::min(u_select / (1 - kAround), 0x1.fffffep-1f);
     auto out = sample(i->flat, rest, u);
     if (!out) return std::nullopt;
     if (out->kind == SampleKind::specular) {
-        out->pdf *= 1 - around_;
+        out->pdf *= 1 - kAround;
         out->wo = 2 * i->cosine * normal_ - wi;
-        const float to_mean = dot(out->wo, mean_);
-        out->wo += (std::max(std::abs(to_mean), 1e-6f) - to_mean) * mean_;
+        out->wo.z = std::max(std::abs(out->wo.z), 1e-6f);
         out->weight = optics::dielectric_reflectance(splat(1.0f), index_.each, splat(i->cosine)) *
                       (1 / out->pdf);
         return out;
@@ -166,7 +154,7 @@ FloatLanes TiltedCoat::pdf_lanes(Vec3f wi, const Vec3Lanes& wo) const {
 
 float TiltedCoat::specular_probability(Vec3f wi) const {
     const auto i = ray_of(wi);
-    return i ? (1 - around_) * flat_.specular_probability(i->flat) : 0.0f;
+    return i ? (1 - kAround) * flat_.specular_probability(i->flat) : 0.0f;
 }
 
 BsdfValue TiltedCoat::evaluate(Vec3f wi, Vec3f wo) const {

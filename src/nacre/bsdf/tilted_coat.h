@@ -38,12 +38,6 @@ class TiltedCoat final : public BoundBsdf {
     /// @param seen_from  a point whose slope faces away from it is taken as just seen
     TiltedCoat(const BoundBsdf& flat, Vec2f slope, Vec3f seen_from);
 
-    /// A whole coat that is tilted, as flakes that lean see theirs: the mean surface, to which horizon
-    /// and cosines belong, is that of the coat itself. w_z and wo_z above are those to its normal.
-    /// @param flat    must outlive this
-    /// @param normal  of the coat, in the frame in which the flakes lie flat; a unit vector
-    TiltedCoat(const BoundBsdf& flat, Vec3f normal);
-
     FloatLanes eval(Vec3f wi, Vec3f wo) const override { return evaluate(wi, wo).f; }
     float pdf(Vec3f wi, Vec3f wo) const override;
     FloatLanes pdf_lanes(Vec3f wi, const Vec3Lanes& wo) const override;
@@ -95,8 +89,6 @@ class TiltedCoat final : public BoundBsdf {
     const BoundBsdf& flat_;
     BinderIndex index_;
     Vec3f normal_;
-    Vec3f mean_{0, 0, 1};  // the normal of the mean surface
-    float around_;         // fraction of the samples that are spread over the tilted hemisphere
 };
 
 }  // namespace nacre::bsdf

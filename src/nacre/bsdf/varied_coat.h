@@ -41,18 +41,10 @@ class VariedCoat final : public BoundBsdf {
     std::size_t patch_memory_bytes() const override { return mean_.patch_memory_bytes(); }
     BinderIndex binder_index() const override { return mean_.binder_index(); }
     FloatLanes coat_depth() const override { return mean_.coat_depth(); }
-    FloatLanes scattered_again(Vec3f wi, Vec3f wo) const override {
-        return changed(mean_.scattered_again(wi, wo), wi, wo);
-    }
-    /// What the interface returns on its way, through the coat once more, is left to the rest.
-    FloatLanes from_ground(Vec3f wi, Vec3f wo) const override {
-        return mean_.from_ground(wi, wo) * mean_.coat_factor(wi, wo, deviation_);
-    }
+    /// What the interface returns of the ground's light on its way, through the coat once more, is left to
+    /// the rest.
+    ScatteredAgain scattered_again(Vec3f wi, Vec3f wo) const override;
     FlakeDepths flake_depths(float cosine) const override { return mean_.flake_depths(cosine); }
-    /// Crosses the coat once in and once out.
-    FloatLanes unreturned(Vec3f wi, Vec3f wo) const override {
-        return mean_.unreturned(wi, wo) * mean_.coat_factor(wi, wo, deviation_);
-    }
     /// Of the mean thickness.
     FloatLanes albedo(Vec3f wi) const override { return mean_.albedo(wi); }
 

@@ -101,7 +101,7 @@ class CoatHere {
             surface_ = &varied_.emplace(*surface_, *deviation);
         }
         if (const auto lean = scene.flake_lean(hit)) {
-            surface_ = &leaning_.emplace(*surface_, bsdf::LeaningFlakes::Lean(*lean));
+            surface_ = &leaning_.emplace(*surface_, bsdf::LeaningFlakes::Lean(*lean), wi);
         }
         if (const auto slope = scene.coat_slope(hit)) {
             surface_ = &tilted_.emplace(*surface_, *slope, wi);

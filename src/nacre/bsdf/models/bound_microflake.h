@@ -154,9 +154,7 @@ class BoundMicroflake : public BoundBsdf {
     FloatLanes albedo(Vec3f wi) const override;
     BinderIndex binder_index() const override { return {mean_ior_, ior_}; }
     FloatLanes coat_depth() const override { return clearcoat_depth_; }
-    FloatLanes scattered_again(Vec3f wi, Vec3f wo) const override;
-    FloatLanes from_ground(Vec3f wi, Vec3f wo) const override;
-    FloatLanes unreturned(Vec3f wi, Vec3f wo) const override;
+    ScatteredAgain scattered_again(Vec3f wi, Vec3f wo) const override;
     FlakeDepths flake_depths(float cosine) const override;
     CoatChange coat_change(Vec3f wi, Vec3f wo, float deviation) const override;
     FloatLanes coat_factor(Vec3f wi, Vec3f wo, float deviation) const override;
@@ -176,16 +174,7 @@ class BoundMicroflake : public BoundBsdf {
 
     /// Of value() under a smooth interface, all but the single scattering.
     template <class Flakes>
-    FloatLanes multiple_value(const Ray& i, const Ray& o, const Flakes& flakes) const {
-        FloatLanes smooth = tabulated(smooth_, i, o);
-        if constexpr (requires { flakes.multiple(smooth); }) smooth = flakes.multiple(smooth);
-        return smooth * interface_factor(i, o);
-    }
-    /// Of that, from_ground() and unreturned().
-    template <class Flakes>
-    FloatLanes ground_value(const Ray& i, const Ray& o, const Flakes& flakes) const;
-    template <class Flakes>
-    FloatLanes unreturned_value(const Ray& i, const Ray& o, const Flakes& flakes) const;
+    ScatteredAgain again_value(const Ray& i, const Ray& o, const Flakes& flakes) const;
 
     const SamplingProbabilities& probabilities_at(const Ray& i) const;
     /// Per solid angle outside, of draw() with these probabilities.
@@ -250,14 +239,6 @@ class BoundMicroflake : public BoundBsdf {
     void bind_rough_interface();
     void bind_layers();
 
-    /// Of a table without the ground.
-    template <class Flakes>
-    FloatLanes groundless_value(const std::vector<FloatLanes>& table, const Ray& i, const Ray& o,
-                                const Flakes& flakes) const {
-        FloatLanes smooth = tabulated(table, i, o);
-        if constexpr (requires { flakes.closing(); }) smooth *= flakes.closing();
-        return smooth * interface_factor(i, o);
-    }
     template <class Flakes>
     FloatLanes once(const Ray& i, const Ray& o, const Flakes& flakes) const;
     /// Of the single scattering under a rough clearcoat, which a table holds as a whole, that of
@@ -452,20 +433,29 @@ FloatLanes BoundMicroflake::rough_ratio(const Ray& i, const Ray& o, const Flakes
 }
 
 template <class Flakes>
-FloatLanes BoundMicroflake::ground_value(const Ray& i, const Ray& o, const Flakes& flakes) const {
-    if (!leaning_ || leaning_->over_black.empty()) return FloatLanes{};
-    // The difference of two solutions holds no light that is not well above their errors.
-    constexpr float kSeen = 1e-3f;
-    const FloatLanes all = multiple_value(i, o, flakes);
-    const FloatLanes ground = all - groundless_value(leaning_->over_black, i, o, flakes);
-    return ground > kSeen * all ? ground : FloatLanes{};
-}
-
-template <class Flakes>
-FloatLanes BoundMicroflake::unreturned_value(const Ray& i, const Ray& o,
-                                             const Flakes& flakes) const {
-    if (!leaning_) return multiple_value(i, o, flakes);
-    return groundless_value(leaning_->unreturned, i, o, flakes);
+ScatteredAgain BoundMicroflake::again_value(const Ray& i, const Ray& o,
+                                            const Flakes& flakes) const {
+    const SmoothCell cell = cell_of(i, o);
+    const bool over_ground = leaning_ && !leaning_->over_black.empty();
+    if (leaning_) prefetch(grid_, leaning_->unreturned.data(), cell);
+    if (over_ground) prefetch(grid_, leaning_->over_black.data(), cell);
+    const FloatLanes factor = interface_factor(i, o);
+    ScatteredAgain again;
+    again.all = tabulated(smooth_, i, o, cell);
+    if constexpr (requires { flakes.multiple(again.all); }) again.all = flakes.multiple(again.all);
+    again.all *= factor;
+    again.unreturned = again.all;
+    if (!leaning_) return again;
+    FloatLanes closing = factor;
+    if constexpr (requires { flakes.closing(); }) closing *= flakes.closing();
+    again.unreturned = tabulated(leaning_->unreturned, i, o, cell) * closing;
+    if (over_ground) {
+        // The difference of two solutions holds no light that is not well above their errors.
+        constexpr float kSeen = 1e-3f;
+        const FloatLanes ground = again.all - tabulated(leaning_->over_black, i, o, cell) * closing;
+        again.from_ground = ground > kSeen * again.all ? ground : FloatLanes{};
+    }
+    return again;
 }
 
 template <class Flakes>

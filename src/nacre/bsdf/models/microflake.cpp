@@ -398,20 +398,12 @@ FloatLanes BoundMicroflake::eval(Vec3f wi, Vec3f wo) const {
     return value(make_ray(wi), make_ray(wo), MeanFlakes{});
 }
 
-FloatLanes BoundMicroflake::scattered_again(Vec3f wi, Vec3f wo) const {
-    return multiple_value(make_ray(wi), make_ray(wo), MeanFlakes{});
-}
-
-FloatLanes BoundMicroflake::from_ground(Vec3f wi, Vec3f wo) const {
-    return ground_value(make_ray(wi), make_ray(wo), MeanFlakes{});
+ScatteredAgain BoundMicroflake::scattered_again(Vec3f wi, Vec3f wo) const {
+    return again_value(make_ray(wi), make_ray(wo), MeanFlakes{});
 }
 
 FlakeDepths BoundMicroflake::flake_depths(float cosine) const {
     return leaning_ ? leaning_->depths(cosine) : FlakeDepths{};
-}
-
-FloatLanes BoundMicroflake::unreturned(Vec3f wi, Vec3f wo) const {
-    return unreturned_value(make_ray(wi), make_ray(wo), MeanFlakes{});
 }
 
 float BoundMicroflake::pdf(Vec3f wi, Vec3f wo) const {

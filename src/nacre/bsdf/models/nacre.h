@@ -118,9 +118,7 @@ class BoundNacre final : public BoundMicroflake {
 
     // The mean over all patches: that of BoundMicroflake, but for a hot spot.
     FloatLanes eval(Vec3f wi, Vec3f wo) const override;
-    FloatLanes scattered_again(Vec3f wi, Vec3f wo) const override;
-    FloatLanes from_ground(Vec3f wi, Vec3f wo) const override;
-    FloatLanes unreturned(Vec3f wi, Vec3f wo) const override;
+    ScatteredAgain scattered_again(Vec3f wi, Vec3f wo) const override;
     std::optional<BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const override;
     BsdfValue evaluate(Vec3f wi, Vec3f wo) const override;
 

@@ -449,22 +449,10 @@ FloatLanes BoundNacre::eval(Vec3f wi, Vec3f wo) const {
     return mean_value(make_ray(wi), make_ray(wo));
 }
 
-FloatLanes BoundNacre::scattered_again(Vec3f wi, Vec3f wo) const {
+ScatteredAgain BoundNacre::scattered_again(Vec3f wi, Vec3f wo) const {
     const Ray i = make_ray(wi), o = make_ray(wo);
-    if (!hot_spot_) return multiple_value(i, o, MeanFlakes{});
-    return multiple_value(i, o, WithHotSpot(*this, i, o));
-}
-
-FloatLanes BoundNacre::from_ground(Vec3f wi, Vec3f wo) const {
-    const Ray i = make_ray(wi), o = make_ray(wo);
-    if (!hot_spot_) return ground_value(i, o, MeanFlakes{});
-    return ground_value(i, o, WithHotSpot(*this, i, o));
-}
-
-FloatLanes BoundNacre::unreturned(Vec3f wi, Vec3f wo) const {
-    const Ray i = make_ray(wi), o = make_ray(wo);
-    if (!hot_spot_) return unreturned_value(i, o, MeanFlakes{});
-    return unreturned_value(i, o, WithHotSpot(*this, i, o));
+    if (!hot_spot_) return again_value(i, o, MeanFlakes{});
+    return again_value(i, o, WithHotSpot(*this, i, o));
 }
 
 BsdfValue BoundNacre::evaluate(Vec3f wi, Vec3f wo) const {
