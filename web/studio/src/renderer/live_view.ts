@@ -343,7 +343,8 @@ export class LiveView {
             const coarse = this.coarseOf(wanted);
             if (coarse.samples === 0) {
                 this.restsUntil = performance.now() + REST_MS;
-                return this.add(coarse, pixels / wanted ** 2);
+                // Of every pixel: without its last rows there would be nothing to see.
+                return this.add(coarse, coarse.target.width * coarse.target.height);
             }
         }
         const { coarse } = this;
