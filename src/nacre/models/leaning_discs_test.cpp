@@ -197,7 +197,9 @@ TEST(LeaningDiscs, HaveTheMeanOfNacre) {
                 "[ measured ] %s, %g deg: mean %.3f of %g views, upright off by up to %.2f\n",
                 paint.name, tilt_deg, mean, count, upright);
             EXPECT_NEAR(mean, 1, 0.03) << paint.name << " " << tilt_deg;
-            if (tilt_deg > 0) EXPECT_GT(upright, 0.5);
+            if (tilt_deg > 0) {
+                EXPECT_GT(upright, 0.5);
+            }
             views += static_cast<int>(count);
         }
     }
