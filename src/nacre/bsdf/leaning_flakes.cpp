@@ -261,13 +261,13 @@ LeaningFlakes::Nearest LeaningFlakes::nearest(const Seen& seen_i, const Seen& se
 
 template <class F>
 FloatLanes LeaningFlakes::value(const Seen& i, const Seen& o, const FloatLanes& f,
-                                const F& asked) const {
+                                const F& beyond) const {
     const ScatteredAgain again = flat_.scattered_again(i.flat, o.flat);
     const ScatteredAgain twice = flat_.scattered_again(i.twice, o.twice);
     FloatLanes once;
     if (beyond_critical(i, o)) {
         const Nearest pair = nearest(i, o);
-        const FloatLanes all = asked(pair.wi, pair.wo);
+        const FloatLanes all = beyond(pair.wi, pair.wo);
         once = max_lanes(all - flat_.scattered_again(pair.wi, pair.wo).all, FloatLanes{}) *
                pair.factor;
     } else {
@@ -289,28 +289,28 @@ float LeaningFlakes::pdf(Vec3f wi, Vec3f wo) const {
     return i && o ? mixed_pdf(flat_.pdf(i->flat, o->flat), *o) : 0.0f;
 }
 
-template <class Evaluate>
-BsdfValue LeaningFlakes::evaluate_by(Vec3f wi, Vec3f wo, const Evaluate& asked) const {
+template <class Evaluate, class F>
+BsdfValue LeaningFlakes::evaluate_by(Vec3f wi, Vec3f wo, const Evaluate& asked,
+                                     const F& beyond) const {
     std::optional<Seen> room_i, room_o;
     const Seen *i = see(wi, room_i), *o = see(wo, room_o);
     if (!i || !o) return {};
     BsdfValue flat;
     if (o->jacobian > 0) flat = asked(i->flat, o->flat);
-    return {value(*i, *o, flat.f, [&](Vec3f a, Vec3f b) { return asked(a, b).f; }),
-            mixed_pdf(flat.pdf, *o)};
+    return {value(*i, *o, flat.f, beyond), mixed_pdf(flat.pdf, *o)};
 }
 
-template <class Sample, class Evaluate>
+template <class Sample, class Evaluate, class F>
 std::optional<BsdfSample> LeaningFlakes::sample_by(Vec3f wi, float u_select, Vec2f u,
-                                                   const Sample& sample,
-                                                   const Evaluate& asked) const {
+                                                   const Sample& sample, const Evaluate& asked,
+                                                   const F& beyond) const {
     std::optional<Seen> room_i, room_o;
     const Seen* const i = see(wi, room_i);
     if (!i) return std::nullopt;
     if (u_select >= 1 - kAround) {
         BsdfSample out;
         out.wo = cosine_hemisphere(u);
-        const BsdfValue value = evaluate_by(wi, out.wo, asked);
+        const BsdfValue value = evaluate_by(wi, out.wo, asked, beyond);
         if (!(value.pdf > 0)) return std::nullopt;
         out.pdf = value.pdf;
         out.weight = value.f * (out.wo.z / value.pdf);
@@ -336,8 +336,7 @@ std::optional<BsdfSample> LeaningFlakes::sample_by(Vec3f wi, float u_select, Vec
     const FloatLanes f = out->weight * (out->pdf / out->wo.z);
     out->wo = o->outside;
     out->pdf = mixed_pdf(out->pdf, *o);
-    out->weight =
-        value(*i, *o, f, [&](Vec3f a, Vec3f b) { return asked(a, b).f; }) * (out->wo.z / out->pdf);
+    out->weight = value(*i, *o, f, beyond) * (out->wo.z / out->pdf);
     return out;
 }
 
@@ -368,18 +367,23 @@ float LeaningFlakes::specular_probability(Vec3f wi) const {
 }
 
 BsdfValue LeaningFlakes::evaluate(Vec3f wi, Vec3f wo) const {
-    return evaluate_by(wi, wo, [&](Vec3f i, Vec3f o) { return flat_.evaluate(i, o); });
+    return evaluate_by(
+        wi, wo, [&](Vec3f i, Vec3f o) { return flat_.evaluate(i, o); },
+        [&](Vec3f i, Vec3f o) { return flat_.eval(i, o); });
 }
 
 BsdfValue LeaningFlakes::evaluate_on(const Patch& patch, Vec3f wi, Vec3f wo) const {
-    return evaluate_by(wi, wo, [&](Vec3f i, Vec3f o) { return flat_.evaluate_on(patch, i, o); });
+    return evaluate_by(
+        wi, wo, [&](Vec3f i, Vec3f o) { return flat_.evaluate_on(patch, i, o); },
+        [&](Vec3f i, Vec3f o) { return beyond_on(patch, i, o); });
 }
 
 std::optional<BsdfSample> LeaningFlakes::sample(Vec3f wi, float u_select, Vec2f u) const {
     return sample_by(
         wi, u_select, u,
         [&](Vec3f i, float select, Vec2f at) { return flat_.sample(i, select, at); },
-        [&](Vec3f i, Vec3f o) { return flat_.evaluate(i, o); });
+        [&](Vec3f i, Vec3f o) { return flat_.evaluate(i, o); },
+        [&](Vec3f i, Vec3f o) { return flat_.eval(i, o); });
 }
 
 std::optional<BsdfSample> LeaningFlakes::sample_on(const Patch& patch, Vec3f wi, float u_select,
@@ -387,7 +391,18 @@ std::optional<BsdfSample> LeaningFlakes::sample_on(const Patch& patch, Vec3f wi,
     return sample_by(
         wi, u_select, u,
         [&](Vec3f i, float select, Vec2f at) { return flat_.sample_on(patch, i, select, at); },
-        [&](Vec3f i, Vec3f o) { return flat_.evaluate_on(patch, i, o); });
+        [&](Vec3f i, Vec3f o) { return flat_.evaluate_on(patch, i, o); },
+        [&](Vec3f i, Vec3f o) { return beyond_on(patch, i, o); });
+}
+
+// Nobody asks flakes there, and of those that happen to be met by samples of wide light a few would
+// outshine the picture.
+bool LeaningFlakes::is_mean_beyond(const Patch& patch) {
+    return patch.flakes != Patch::Flakes::shown && !(patch.narrow_light > 0);
+}
+
+FloatLanes LeaningFlakes::beyond_on(const Patch& patch, Vec3f wi, Vec3f wo) const {
+    return is_mean_beyond(patch) ? flat_.eval(wi, wo) : flat_.evaluate_on(patch, wi, wo).f;
 }
 
 float LeaningFlakes::narrow_light(Vec3f wi) const {
@@ -399,7 +414,7 @@ void LeaningFlakes::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t rando
                                std::vector<AskedFlake>& list) const {
     list.clear();
     const auto i = ray_of(wi);
-    // Where a pair stands for another nothing is asked: flakes_at() has it all.
+    // Where a pair stands for another nothing is asked: beyond_on() or flakes_at() has it all.
     if (!i || i->jacobian == 0) return;
     flat_.ask_flakes(patch, i->flat, random, list);
     const float n = index_.mean;
@@ -433,6 +448,7 @@ FloatLanes LeaningFlakes::flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, floa
     const Seen *i = see(wi, room_i), *o = see(wo, room_o);
     if (!i || !o) return FloatLanes{};
     if (beyond_critical(*i, *o)) {
+        if (is_mean_beyond(patch)) return FloatLanes{};
         const Nearest pair = nearest(*i, *o);
         return flat_.flakes_at(patch, pair.wi, pair.wo, std::numeric_limits<float>::infinity()) *
                pair.factor;

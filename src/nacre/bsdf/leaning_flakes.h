@@ -168,16 +168,19 @@ class LeaningFlakes final : public BoundBsdf {
         return i.again * o.again * seen_once(i, o);
     }
 
-    /// @param asked  evaluate(wi, wo) of the flat paint
-    template <class Evaluate>
-    BsdfValue evaluate_by(Vec3f wi, Vec3f wo, const Evaluate& asked) const;
-    template <class Sample, class Evaluate>
+    /// @param asked   evaluate(wi, wo) of the flat paint
+    /// @param beyond  f(wi, wo) of the flat paint, for the nearest pair
+    template <class Evaluate, class F>
+    BsdfValue evaluate_by(Vec3f wi, Vec3f wo, const Evaluate& asked, const F& beyond) const;
+    template <class Sample, class Evaluate, class F>
     std::optional<BsdfSample> sample_by(Vec3f wi, float u_select, Vec2f u, const Sample& sample,
-                                        const Evaluate& asked) const;
-    /// @param asked  f(wi, wo) of the flat paint
-    /// @param f      of the flat paint at Ray::flat, within the critical angle
+                                        const Evaluate& asked, const F& beyond) const;
+    /// @param f  of the flat paint at Ray::flat, within the critical angle
     template <class F>
-    FloatLanes value(const Seen& i, const Seen& o, const FloatLanes& f, const F& asked) const;
+    FloatLanes value(const Seen& i, const Seen& o, const FloatLanes& f, const F& beyond) const;
+    /// Whether a nearest pair shows the mean of its flakes on a patch.
+    static bool is_mean_beyond(const Patch& patch);
+    FloatLanes beyond_on(const Patch& patch, Vec3f wi, Vec3f wo) const;
     /// Per solid angle here, of samples that the flat paint draws with the density `flat`.
     static float mixed_pdf(float flat, const Ray& o);
 

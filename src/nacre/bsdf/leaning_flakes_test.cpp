@@ -103,7 +103,7 @@ TEST(LeaningFlakes, LightFromTheGroundIsWhatTheFlakesOverBlackHaveNot) {
 }
 
 /// Answers 1 and remembers with what it was asked, as a paint of this index under a coat of this depth.
-class Asked final : public BoundBsdf {
+class Asked : public BoundBsdf {
  public:
     static constexpr float kIndex = 1.5f, kDepth = 0.3f, kFlakes = 0.7f, kPigments = 0.2f;
     FloatLanes eval(Vec3f i, Vec3f o) const override {
@@ -163,6 +163,49 @@ TEST(LeaningFlakes, AreAskedInTheirOwnFrameUnderTheCoatAsItLies) {
         }
     }
     EXPECT_EQ(compared, 900);
+}
+
+/// Of which a quarter is left where flakes are apart, and these show 2.
+class AskedApart final : public Asked {
+ public:
+    BsdfValue evaluate_on(const Patch& patch, Vec3f i, Vec3f o) const override {
+        const float left = patch.flakes == Patch::Flakes::shown ? 2 : 0.25f;
+        return {left * eval(i, o), pdf(i, o)};
+    }
+    bool tells_flakes_apart() const override { return true; }
+    FloatLanes flakes_at(const Patch&, Vec3f, Vec3f, float) const override { return splat(2.0f); }
+};
+
+// Beyond the critical angle no flake is asked: met by chance, with wide light, one alone would be a
+// speck. Narrow light is sampled by itself and meets all of them.
+TEST(LeaningFlakes, ShowTheirMeanUnderWideLightBeyondTheCriticalAngle) {
+    using Flakes = Patch::Flakes;
+    const AskedApart flat;
+    const LeaningFlakes leaning(flat, Lean({0.1f, 0}));
+    int beyond = 0;
+    for (int azimuth = 0; azimuth < 360; azimuth += 15) {
+        const Vec3f wi = direction(20, 0), wo = direction(75, azimuth);
+        const float mean = leaning.eval(wi, wo)[0];
+        Patch patch;
+        const auto left = [&](Flakes flakes, float narrow_light) {
+            patch.flakes = flakes;
+            patch.narrow_light = narrow_light;
+            return leaning.evaluate_on(patch, wi, wo).f[0];
+        };
+        EXPECT_FLOAT_EQ(left(Flakes::shown, 0), 2 * mean);
+        EXPECT_FLOAT_EQ(left(Flakes::apart, 1e4f), 0.25f * mean);
+        EXPECT_GT(leaning.flakes_at(patch, wi, wo, 1)[0], 0);
+        const float wide = left(Flakes::apart, 0);
+        EXPECT_EQ(wide, left(Flakes::left_out, 0));
+        if (leaning.flakes_at(patch, wi, wo, 1)[0] > 0) {
+            EXPECT_FLOAT_EQ(wide, 0.25f * mean);
+        } else {
+            EXPECT_FLOAT_EQ(wide, mean);
+            ++beyond;
+        }
+    }
+    EXPECT_GT(beyond, 3);
+    EXPECT_LT(beyond, 20);
 }
 
 TEST(LeaningFlakes, TurnWithTheirAzimuth) {
