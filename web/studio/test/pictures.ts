@@ -36,7 +36,7 @@ const page = await browser.newPage({
     viewport: { width: 1280, height: 800 },
     colorScheme: "dark",
 });
-page.setDefaultTimeout(120_000);
+page.setDefaultTimeout(900_000); // what never comes is a failure, however slow the machine
 await page.goto(program.url);
 await settled(page);
 // The time at the bottom is that of a move, not of the start.
