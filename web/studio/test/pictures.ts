@@ -39,7 +39,8 @@ const page = await browser.newPage({
 page.setDefaultTimeout(900_000); // what never comes is a failure, however slow the machine
 await page.goto(program.url);
 await settled(page);
-// The time at the bottom is that of a move, not of the start.
+// The time at the bottom is that of a move, not of the start, when shaders are compiled too.
+await drawn(page, 64);
 await page.fill(FILM, "209");
 await page.press(FILM, "Enter");
 await settled(page);
