@@ -60,6 +60,7 @@ async function buildTests() {
         "live.test",
         "glints.test",
         "pictures",
+        "latency",
     ];
     const input = Object.fromEntries(
         files.map((file) => [file.replace(".test", ""), `test/${file}.ts`]),

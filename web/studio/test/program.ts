@@ -41,11 +41,16 @@ export class Program {
     }
 }
 
-/** Debian's Chromium; WebGL 2 is drawn by the processor, which then has less time for all else. */
+/**
+ * Debian's Chromium. WebGL 2 is drawn by the processor, which then has less time for all else, or as the
+ * flags in NACRE_WEBGL say: by a graphics card that Vulkan knows with
+ * "--use-angle=vulkan --enable-features=Vulkan --disable-vulkan-surface --ignore-gpu-blocklist".
+ */
 export function launch(webgl = true): Promise<Browser> {
-    const drawn = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+    const flags =
+        env.NACRE_WEBGL ?? "--use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader";
     return chromium.launch({
         executablePath: "/usr/bin/chromium",
-        args: ["--no-sandbox", ...(webgl ? drawn : ["--disable-3d-apis"])],
+        args: ["--no-sandbox", ...(webgl ? flags.split(" ") : ["--disable-3d-apis"])],
     });
 }

@@ -8,7 +8,7 @@
 
 import type { Texture, TextureDataType, WebGLRenderer } from "three";
 import { FloatType, HalfFloatType } from "three";
-import { Display } from "./display";
+import { Display, ENOUGH } from "./display";
 import type { Part } from "./flakes";
 import { flakeValues, restMatrix, sampleOf } from "./flakes";
 import { lightValues } from "./lights";
@@ -49,9 +49,11 @@ const FRAME_MS = 30;
 const LEAST_WORK = 4096;
 const COARSE_SAMPLES = 24;
 const MOST_COARSE = 10;
-/** As long as drawing may take in the frame that follows a slider, where a frame does not hold the whole picture. */
-const MOVING_MS = 15;
-/** There what is new is drawn once, and not refined before so long: the next move may be on its way. */
+/** As long as drawing may take in the frame that follows a move, unless the least that it shows takes longer. */
+const MOVING_MS = 12;
+/** Between looks whether a frame has been drawn. */
+const POLL_MS = 2;
+/** Where a frame does not hold the whole picture what is new is drawn once, and not refined before so long: the next move may be on its way. */
 const REST_MS = 200;
 /** Of a sample that asks flakes, over one that does not, where processors draw. */
 const ASKING_COST = 6;
@@ -87,7 +89,8 @@ export class LiveView {
     /** What a frame takes whatever is drawn: the shortest yet. */
     private overhead_ms = 16;
     private frame_ms = 0;
-    private underWay: { sync: WebGLSync; begun: number; work: number } | null = null;
+    /** Whether a frame is being drawn. */
+    private underWay = false;
     private request = 0;
     private timer: ReturnType<typeof setTimeout> | undefined;
     /** Until then what is there is not refined. */
@@ -145,6 +148,8 @@ export class LiveView {
             );
         }
         this.nextPaint = paint;
+        if (this.stopped || this.lost) return;
+        this.attempt(); // in this turn: it is waited for
         this.schedule();
     }
 
@@ -251,13 +256,17 @@ export class LiveView {
         if (this.request !== 0 || this.stopped || this.lost) return;
         this.request = requestAnimationFrame(() => {
             this.request = 0;
-            try {
-                this.frame();
-            } catch (error) {
-                this.nextPaint = null;
-                this.options.onFault?.(error instanceof Error ? error.message : String(error));
-            }
+            this.attempt();
         });
+    }
+
+    private attempt(): void {
+        try {
+            this.frame();
+        } catch (error) {
+            this.nextPaint = null;
+            this.options.onFault?.(error instanceof Error ? error.message : String(error));
+        }
     }
 
     private scheduleAt(when: number): void {
@@ -268,20 +277,7 @@ export class LiveView {
     }
 
     private frame(): void {
-        const gl = this.renderer.getContext() as WebGL2RenderingContext;
-        if (this.underWay !== null) {
-            const { sync, begun, work } = this.underWay;
-            if (gl.clientWaitSync(sync, 0, 0) === gl.TIMEOUT_EXPIRED) {
-                this.schedule();
-                return;
-            }
-            gl.deleteSync(sync);
-            this.underWay = null;
-            this.frame_ms = performance.now() - begun;
-            this.overhead_ms = Math.min(this.overhead_ms, this.frame_ms);
-            const drawing_ms = Math.max(this.frame_ms - this.overhead_ms, 1);
-            this.speed = 0.5 * this.speed + (0.5 * work) / drawing_ms;
-        }
+        if (this.underWay) return; // its end schedules the next
         this.takePaint();
         const begun = performance.now();
         if (!this.dirty && (this.held || begun < this.restsUntil)) {
@@ -295,12 +291,32 @@ export class LiveView {
             this.dirty = false;
             this.options.onChange?.(this.state);
         }
-        if (work > 0) {
-            const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-            if (sync !== null) this.underWay = { sync, begun, work };
-            gl.flush();
+        if (work > 0) this.await(begun, work);
+        else if (this.nextPaint !== null) this.schedule();
+    }
+
+    /** Until the graphics processor has drawn a frame, which tells how fast it is. */
+    private await(begun: number, work: number): void {
+        const gl = this.renderer.getContext() as WebGL2RenderingContext;
+        const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+        gl.flush();
+        if (sync === null) return; // the context is lost
+        this.underWay = true;
+        const look = () => {
+            // Oftener than the screen shows a picture: a millisecond would count as seventeen.
+            if (gl.clientWaitSync(sync, 0, 0) === gl.TIMEOUT_EXPIRED) {
+                setTimeout(look, POLL_MS);
+                return;
+            }
+            gl.deleteSync(sync);
+            this.underWay = false;
+            this.frame_ms = performance.now() - begun;
+            this.overhead_ms = Math.min(this.overhead_ms, this.frame_ms);
+            const drawing_ms = Math.max(this.frame_ms - this.overhead_ms, 1);
+            this.speed = 0.5 * this.speed + (0.5 * work) / drawing_ms;
             this.schedule();
-        } else if (this.nextPaint !== null) this.schedule();
+        };
+        setTimeout(look, POLL_MS);
     }
 
     /** Hands over the numbers of a paint whose program is there. */
@@ -332,24 +348,29 @@ export class LiveView {
         if (!this.shape.ready() || !this.shown.ready()) return 0;
         const pixels = whole.target.width * whole.target.height;
         const budget = Math.max(FRAME_MS * this.speed, LEAST_WORK);
-        // A picture that a frame can hold is never coarse.
-        if (pixels <= budget) return this.add(whole, Math.min(budget, 8 * pixels));
+        const moving = MOVING_MS * this.speed;
+        // One sample shows a part of a pixel's flakes, which glitter more than all of them.
+        const { asks } = sampleOf(0, this.showsFlakesIn(whole));
+        const least = asks ? ENOUGH * ASKING_COST * pixels : pixels;
+        if (least <= budget) {
+            const wanted = whole.samples === 0 ? Math.max(moving, least) : budget;
+            return this.add(whole, Math.min(wanted, 8 * least));
+        }
         if (whole.samples === 0 && whole.rows === 0) {
             clear(this.renderer, whole.target);
-            const wanted = Math.min(
-                Math.ceil(Math.sqrt(pixels / (MOVING_MS * this.speed))),
-                MOST_COARSE,
-            );
+            const wanted = Math.min(Math.ceil(Math.sqrt(pixels / moving)), MOST_COARSE);
             const coarse = this.coarseOf(wanted);
             if (coarse.samples === 0) {
-                this.restsUntil = performance.now() + REST_MS;
+                if (pixels > budget) this.restsUntil = performance.now() + REST_MS;
                 // Of every pixel: without its last rows there would be nothing to see.
-                return this.add(coarse, coarse.target.width * coarse.target.height);
+                const all = coarse.target.width * coarse.target.height;
+                return this.add(coarse, Math.max(all, Math.min(moving, COARSE_SAMPLES * all)));
             }
         }
         const { coarse } = this;
         if (
             coarse &&
+            this.coarseness > 1 &&
             coarse.samples > 0 &&
             coarse.samples < Math.min(COARSE_SAMPLES, this.mostSamples) &&
             whole.samples === 0
@@ -357,6 +378,11 @@ export class LiveView {
             return this.add(coarse, budget);
         }
         return this.add(whole, budget);
+    }
+
+    /** A coarse picture's pixels are others: it shows the mean. */
+    private showsFlakesIn(sums: Sums): boolean {
+        return this.sparkle && sums === this.whole && this.paint?.flakes === true;
     }
 
     private coarseOf(coarseness: number): Sums {
@@ -384,8 +410,7 @@ export class LiveView {
         if (sums.samples === 0 && sums.rows === 0) clear(this.renderer, sums.target);
         let work = 0;
         while (work < 0.75 * budget && sums.samples < this.mostSamples) {
-            // A coarse picture's pixels are others: it shows the mean.
-            const shown = this.sparkle && sums === this.whole && this.paint?.flakes === true;
+            const shown = this.showsFlakesIn(sums);
             const { asks, part } = sampleOf(sums.samples, shown);
             const cost = asks ? ASKING_COST * width : width;
             const rows = Math.max(

@@ -1,0 +1,206 @@
+/**
+ * How long the page takes: from a key that moves a film to its chips, and to the live picture of the new
+ * paint as the graphics processor has drawn it; and from one drawn frame to the next while the picture is
+ * turned. Figures of docs/studio.md; so many moves in each series:
+ *
+ *     ./dev studio --latency [MOVES]
+ *
+ * Which renderer draws is said first (test/program.ts tells how to choose it).
+ */
+
+import assert from "node:assert/strict";
+import { loadavg } from "node:os";
+import { argv } from "node:process";
+import type { Page } from "playwright-core";
+import { launch, Program } from "./program";
+
+/** What the page tells, by the clock of the browser. */
+interface Clock {
+    /** The last key. */
+    key_ms: number;
+    /** From the key until the browser had the numbers of the live picture. */
+    numbers_ms: number[];
+    /** From the key to the first frame of a new paint, drawn. */
+    pictures_ms: number[];
+    /** When each frame had been drawn on the canvas that is seen. */
+    frames_ms: number[];
+}
+
+declare global {
+    interface Window {
+        clock: Clock;
+    }
+}
+
+/** Runs in the page before its own script: notes when the graphics processor has drawn. */
+function watchDrawing(): void {
+    const clock: Clock = { key_ms: 0, numbers_ms: [], pictures_ms: [], frames_ms: [] };
+    window.clock = clock;
+    addEventListener("keydown", () => (clock.key_ms = performance.now()), true);
+    const Plain = window.WebSocket;
+    window.WebSocket = class extends Plain {
+        constructor(...given: ConstructorParameters<typeof Plain>) {
+            super(...given);
+            this.addEventListener("message", ({ data }) => {
+                if (typeof data !== "string" || !/"type": ?"shader"/.test(data)) return;
+                clock.numbers_ms.push(performance.now() - clock.key_ms);
+            });
+        }
+    };
+    const prototype = WebGL2RenderingContext.prototype;
+    let onScreen = true;
+    let paintIsNew = false;
+    /* eslint-disable @typescript-eslint/unbound-method -- called on what they are asked of */
+    const { bindFramebuffer, texSubImage3D, texImage3D, drawArrays, drawElements } = prototype;
+    /* eslint-enable @typescript-eslint/unbound-method */
+    prototype.bindFramebuffer = function (target, buffer) {
+        if (target !== this.READ_FRAMEBUFFER) onScreen = buffer === null;
+        bindFramebuffer.call(this, target, buffer);
+    };
+    // Multiple scattering, which every paint has, is the only texture of three dimensions.
+    prototype.texSubImage3D = function (...given: unknown[]) {
+        paintIsNew = true;
+        Reflect.apply(texSubImage3D, this, given);
+    };
+    prototype.texImage3D = function (...given: unknown[]) {
+        paintIsNew = true;
+        Reflect.apply(texImage3D, this, given);
+    };
+    const noted = (gl: WebGL2RenderingContext) => {
+        if (!onScreen) return;
+        const begun_ms = paintIsNew ? clock.key_ms : null;
+        paintIsNew = false;
+        const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+        if (sync === null) return;
+        gl.flush();
+        const look = () => {
+            if (gl.clientWaitSync(sync, 0, 0) === gl.TIMEOUT_EXPIRED) {
+                setTimeout(look, 1);
+                return;
+            }
+            gl.deleteSync(sync);
+            const now_ms = performance.now();
+            clock.frames_ms.push(now_ms);
+            if (begun_ms !== null) clock.pictures_ms.push(now_ms - begun_ms);
+        };
+        look();
+    };
+    prototype.drawArrays = function (...given) {
+        drawArrays.apply(this, given);
+        noted(this);
+    };
+    prototype.drawElements = function (...given) {
+        drawElements.apply(this, given);
+        noted(this);
+    };
+}
+
+function quantile(values: readonly number[], fraction: number): string {
+    assert.ok(values.length > 0, "nothing was measured");
+    const sorted = [...values].sort((a, b) => a - b);
+    return (sorted[Math.floor(fraction * (sorted.length - 1))] as number).toFixed(1);
+}
+
+function report(what: string, values: readonly number[]): void {
+    const of = (fraction: number) => quantile(values, fraction);
+    console.log(
+        `${what}: median ${of(0.5)} ms, nine of ten within ${of(0.9)}, slowest ${of(1)} (${String(values.length)})`,
+    );
+}
+
+const SLIDER = "[data-key='layer[0].flakes[0].coats[0].thickness_nm'] input[type=range]";
+
+/** @returns from the key to the chips, by the page's own clock, in ms */
+async function move(page: Page): Promise<number> {
+    await page.evaluate(() => {
+        window.clock.numbers_ms.length = window.clock.pictures_ms.length = 0;
+    });
+    await page.keyboard.press("ArrowRight");
+    await page.waitForFunction(
+        () => document.querySelector(".chips")?.getAttribute("data-current") === "true",
+    );
+    return Number(/\d+/.exec((await page.textContent(".latency")) ?? "")?.[0]);
+}
+
+/** From the key to the live picture's numbers, and to its first frame, in ms. */
+async function firstPicture(page: Page): Promise<[number, number]> {
+    await page.waitForFunction(() =>
+        [window.clock.numbers_ms, window.clock.pictures_ms].every((times) => times.length > 0),
+    );
+    return page.evaluate(() => {
+        const { numbers_ms, pictures_ms } = window.clock;
+        return [numbers_ms[0] as number, pictures_ms[0] as number];
+    });
+}
+
+/** Each after all of the one before was seen, or at once on its chips. */
+async function moves(page: Page, count: number): Promise<void> {
+    await page.focus(SLIDER);
+    const chips: number[] = [];
+    const pictures: [number, number][] = [];
+    for (let i = 0; i < count; ++i) {
+        chips.push(await move(page));
+        pictures.push(await firstPicture(page));
+        await page.waitForTimeout(120 + 100 * Math.random());
+    }
+    report("from a key to its chips", chips);
+    report(
+        "from a key to the numbers of its live picture",
+        pictures.map(([numbers_ms]) => numbers_ms),
+    );
+    report(
+        "from a key to its live picture",
+        pictures.map(([, drawn_ms]) => drawn_ms),
+    );
+    const atOnce: number[] = [];
+    for (let i = 0; i < count; ++i) atOnce.push(await move(page));
+    report("from a key to its chips, moves at once upon chips", atOnce);
+}
+
+async function frames(page: Page, count: number): Promise<void> {
+    const box = await page.locator("canvas.live").boundingBox();
+    assert.ok(box);
+    const middle = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+    await page.mouse.move(middle.x, middle.y);
+    await page.mouse.down();
+    await page.evaluate(() => {
+        window.clock.frames_ms.length = 0;
+    });
+    for (let i = 0; i < 4 * count; ++i) {
+        await page.mouse.move(middle.x + 60 * Math.sin(i / 20), middle.y);
+        await page.waitForTimeout(8);
+    }
+    await page.mouse.up();
+    const drawn = await page.evaluate(() => window.clock.frames_ms);
+    report(
+        `between frames of ${box.width.toFixed(0)} x ${box.height.toFixed(0)} pixels as the ball is turned`,
+        drawn.slice(1).map((at_ms, i) => at_ms - (drawn[i] as number)),
+    );
+}
+
+const count = Number(argv[2] ?? 30);
+if (!(Number.isInteger(count) && count > 0))
+    throw new Error("MOVES: must be a whole number above 0");
+const program = await Program.start("red-gold");
+const browser = await launch(true);
+try {
+    const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+    page.setDefaultTimeout(900_000); // what never comes is a failure, however slow the machine
+    await page.addInitScript(watchDrawing);
+    await page.goto(program.url);
+    await page.waitForSelector(".chips[data-current=true]");
+    await page.waitForFunction(() => window.clock.frames_ms.length > 0);
+    const renderer = await page.evaluate(() => {
+        const gl = document.createElement("canvas").getContext("webgl2");
+        const told = gl?.getExtension("WEBGL_debug_renderer_info");
+        return told ? String(gl?.getParameter(told.UNMASKED_RENDERER_WEBGL)) : "not told";
+    });
+    console.log(`drawn by ${renderer}`);
+    await page.waitForTimeout(2000); // shaders are compiled, the first pictures drawn
+    await moves(page, count);
+    await frames(page, count);
+    console.log(`load ${(loadavg()[0] as number).toFixed(1)}`);
+} finally {
+    await browser.close();
+    await program.end();
+}
