@@ -48,6 +48,8 @@ const FRAME_MS = 30;
 /** Samples of pixels that are worth a frame on any machine. */
 const LEAST_WORK = 4096;
 const COARSE_SAMPLES = 24;
+/** Fine enough for lights and films; coarse enough for many samples of each pixel, and to tell glitter from its mean. */
+const LEAST_COARSE = 3;
 const MOST_COARSE = 10;
 /** As long as drawing may take in the frame that follows a move, unless the least that it shows takes longer. */
 const MOVING_MS = 12;
@@ -358,8 +360,8 @@ export class LiveView {
         }
         if (whole.samples === 0 && whole.rows === 0) {
             clear(this.renderer, whole.target);
-            const wanted = Math.min(Math.ceil(Math.sqrt(pixels / moving)), MOST_COARSE);
-            const coarse = this.coarseOf(wanted);
+            const wanted = Math.ceil(Math.sqrt(pixels / moving));
+            const coarse = this.coarseOf(Math.min(Math.max(wanted, LEAST_COARSE), MOST_COARSE));
             if (coarse.samples === 0) {
                 if (pixels > budget) this.restsUntil = performance.now() + REST_MS;
                 // Of every pixel: without its last rows there would be nothing to see.
@@ -370,7 +372,6 @@ export class LiveView {
         const { coarse } = this;
         if (
             coarse &&
-            this.coarseness > 1 &&
             coarse.samples > 0 &&
             coarse.samples < Math.min(COARSE_SAMPLES, this.mostSamples) &&
             whole.samples === 0
