@@ -12,6 +12,7 @@
 #include "nacre/core/angles.h"
 #include "nacre/core/random.h"
 #include "nacre/optics/fresnel.h"
+#include "nacre/paint/beckmann.h"
 #include "nacre/solver/solver.h"
 #include "nacre/testing/bsdf.h"
 #include "nacre/testing/nacre_model.h"
@@ -75,6 +76,73 @@ TEST(LeaningFlakes, WithoutATiltTheyAreThePaintItself) {
             }
         }
     }
+}
+
+// Light that met one flake, with the hot spot, by the formula of hot_spot.h: discs that lean block a ray
+// within d/2 of it across their mean normal, as those that lie flat do, but the layer's surface cuts the
+// heights off which both ways share, at c'/mu times the depth for each of them and midway between for
+// both. The flat paint shares all of one depth, which is put right with the depths: that differs by the
+// square of half the difference of the ways.                                        [kuusk-1985]
+TEST(LeaningFlakes, HaveTheHotSpotOfWaysOfUnequalLength) {
+    constexpr double kWide_um = 20, kThick_um = 15, kDense = 2 / kThick_um, kBeckmann = 0.15;
+    paint::Recipe recipe = test::paint_of(1.5, {test::flake_layer(2, kBeckmann, 1e-3, 0)}, 0);
+    recipe.layers[0].thickness_um = kThick_um;
+    recipe.layers[0].flakes[0].amount = paint::AreaDensity{kDense};
+    recipe.layers[0].flakes[0].diameter_um = kWide_um;
+    const LeaningPaint plain(recipe);  // hardly anything is scattered twice
+    const std::unique_ptr<const BoundBsdf> nacre = Nacre(plain.solved).bind(kOnGrid);
+    const Lean lean({static_cast<float>(std::tan(6 * kDegree)), 0});
+    const LeaningFlakes hot(*nacre, lean), without(*plain.bound, lean);
+    double worst = 0, sum = 0;
+    int compared = 0;
+    for (const double lamp : {0.0, 90.0, 180.0}) {
+        struct Ways {
+            double theta_i, theta_o, phi;
+        };
+        for (const Ways& ways : {Ways{45, 60, 180},
+                                 {45, 30, 180},
+                                 {45, 20, 180},
+                                 {45, 0, 180},
+                                 {45, 35, 130},
+                                 {10, 10, 0}}) {
+            const Vec3f wi = direction(ways.theta_i, lamp),
+                        wo = direction(ways.theta_o, lamp + ways.phi);
+            const auto inside = [](Vec3f w) {
+                const Vec3d in{w.x / 1.5, w.y / 1.5, 0};
+                return Vec3d{in.x, in.y, std::sqrt(1 - in.x * in.x - in.y * in.y)};
+            };
+            const Vec3d i = inside(wi), o = inside(wo), m = to_double(lean.n);
+            const double ci = dot(i, m), co = dot(o, m);
+            const double si = kDense * paint::projected_area(ci, kBeckmann),
+                         so = kDense * paint::projected_area(co, kBeckmann);
+            const double met = si / i.z + so / o.z, shared = std::sqrt(si / ci * so / co),
+                         apart = length(i * (1 / ci) - o * (1 / co)),
+                         longer = 2 / (i.z / ci + o.z / co);
+            constexpr int kSteps = 4000;
+            double light = 0, transfer = 0, overlap_um = 0;
+            for (int step = 0; step < kSteps; ++step) {
+                const double z = kThick_um * (step + 0.5) / kSteps;
+                const double x = apart * longer * z / kWide_um;
+                const double half_um =
+                    0.5 * longer * kThick_um / kSteps *
+                    (x < 1 ? 2 * std::numbers::inv_pi * (std::acos(x) - x * std::sqrt(1 - x * x))
+                           : 0);
+                overlap_um += half_um;
+                light += std::exp(-met * z + shared * overlap_um);
+                transfer += std::exp(-met * z);
+                overlap_um += half_um;
+            }
+            const double ratio = hot.eval(wi, wo)[2] / without.eval(wi, wo)[2] * transfer / light;
+            worst = std::max(worst, std::abs(ratio - 1));
+            sum += ratio - 1;
+            ++compared;
+            EXPECT_GT(light, 1.3 * transfer);
+        }
+    }
+    std::printf("[ measured ] over the closed form: by %.4f in the mean, up to %.4f\n",
+                sum / compared, worst);
+    EXPECT_LT(worst, 0.008);
+    EXPECT_NEAR(sum / compared, 0, 0.003);
 }
 
 // By a paint of its own over black.

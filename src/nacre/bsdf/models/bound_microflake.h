@@ -441,18 +441,29 @@ ScatteredAgain BoundMicroflake::again_value(const Ray& i, const Ray& o,
     if (over_ground) prefetch(grid_, leaning_->over_black.data(), cell);
     const FloatLanes factor = interface_factor(i, o);
     ScatteredAgain again;
-    again.all = tabulated(smooth_, i, o, cell);
-    if constexpr (requires { flakes.multiple(again.all); }) again.all = flakes.multiple(again.all);
+    const FloatLanes smooth = tabulated(smooth_, i, o, cell);
+    FloatLanes closing = splat(1.0f);
+    again.all = smooth;
+    if constexpr (requires { flakes.multiple(smooth, closing); }) {
+        closing = flakes.closing();
+        again.all = flakes.multiple(smooth, closing);
+    }
     again.all *= factor;
     again.unreturned = again.all;
     if (!leaning_) return again;
-    FloatLanes closing = factor;
-    if constexpr (requires { flakes.closing(); }) closing *= flakes.closing();
-    again.unreturned = tabulated(leaning_->unreturned, i, o, cell) * closing;
+    closing *= factor;
+    const FloatLanes unreturned = tabulated(leaning_->unreturned, i, o, cell);
+    const FloatLanes no_ground = over_ground ? tabulated(leaning_->over_black, i, o, cell) : smooth;
+    again.unreturned = unreturned * closing;
+    if constexpr (requires { flakes.returned_gain(); }) {
+        const FloatLanes returned =
+            max_lanes(no_ground - unreturned, FloatLanes{}) * flakes.returned_gain();
+        again.unreturned = max_lanes(no_ground * closing - returned * factor, FloatLanes{});
+    }
     if (over_ground) {
         // The difference of two solutions holds no light that is not well above their errors.
         constexpr float kSeen = 1e-3f;
-        const FloatLanes ground = again.all - tabulated(leaning_->over_black, i, o, cell) * closing;
+        const FloatLanes ground = again.all - no_ground * closing;
         again.from_ground = ground > kSeen * again.all ? ground : FloatLanes{};
     }
     return again;

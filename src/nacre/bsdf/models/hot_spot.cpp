@@ -67,6 +67,7 @@ HotSpotTables::HotSpotTables(const solver::SolvedPaint& paint)
     if (species_.empty()) return;
     tabulate_ground(medium);
     closing_ = closing_factors(paint, *this);
+    if (paint.recipe.flake_lean()) returned_ = returned_gains(paint, *this);
 }
 
 void HotSpotTables::tabulate_ground(const solver::PaintMedium& medium) {
@@ -141,6 +142,7 @@ HotSpot::HotSpot(const HotSpotTables& tables, const std::array<WavelengthPositio
     };
     bind(tables.ground_, ground_);
     bind(tables.closing_, closing_);
+    bind(tables.returned_, returned_);
 }
 
 HotSpot::Pair::Pair(const HotSpot& hot_spot, const Ray& i, const Ray& o)
@@ -228,12 +230,18 @@ FloatLanes HotSpot::Pair::closing() const {
     return i_->look_up(by_direction) * o_->look_up(by_direction);
 }
 
-FloatLanes HotSpot::Pair::multiple(const FloatLanes& multiple) const {
+FloatLanes HotSpot::Pair::returned_gain() const {
+    const std::vector<FloatLanes>& by_direction = hot_spot_->returned_;
+    if (by_direction.empty()) return splat(1.0f);
+    return i_->look_up(by_direction) * o_->look_up(by_direction);
+}
+
+FloatLanes HotSpot::Pair::multiple(const FloatLanes& transfer, const FloatLanes& closing) const {
     const HotSpot& h = *hot_spot_;
-    if (h.closing_.empty()) return multiple;
-    if (h.ground_.empty()) return closing() * multiple;
+    if (h.closing_.empty()) return transfer;
+    if (h.ground_.empty()) return closing * transfer;
     const FloatLanes once = ground();
-    return closing() * max_lanes(multiple - once, FloatLanes{}) + ground_gain() * once;
+    return closing * max_lanes(transfer - once, FloatLanes{}) + ground_gain() * once;
 }
 
 }  // namespace nacre::bsdf

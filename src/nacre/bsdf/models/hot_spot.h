@@ -51,6 +51,9 @@ class HotSpotTables {
     /// is multiplied by. Empty where that is 0, or 1, and under a rough clearcoat.
     const std::vector<float>& ground() const { return ground_; }
     const std::vector<float>& closing() const { return closing_; }
+    /// Likewise what light gains that the interface had sent back: returned_gains(). Empty where no
+    /// flakes lean, which is where it is told from the rest.
+    const std::vector<float>& returned() const { return returned_; }
 
     const std::vector<std::vector<float>>& extinction() const { return extinction_; }
     /// How the rays are spread; not at all by a smooth clearcoat.
@@ -64,7 +67,7 @@ class HotSpotTables {
     std::vector<float> top_um_, thickness_um_;  // by layer
     int wavelength_count_;
     std::vector<std::vector<float>> extinction_;  // extinction_by_direction()
-    std::vector<float> ground_, closing_;
+    std::vector<float> ground_, closing_, returned_;
     sparkle::CoatTilt coat_;
 };
 
@@ -85,10 +88,16 @@ class HotSpot {
         /// along both directions is `depth`.
         FloatLanes mean(std::size_t layer, const FloatLanes& depth) const;
         /// All light that was not scattered once in a layer, without Fresnel factors.
-        /// @param multiple  the same by the equation of transfer
-        FloatLanes multiple(const FloatLanes& multiple) const;
+        /// @param transfer  the same by the equation of transfer
+        FloatLanes multiple(const FloatLanes& transfer) const {
+            return multiple(transfer, closing());
+        }
+        /// @param closing  closing(), where it is known
+        FloatLanes multiple(const FloatLanes& transfer, const FloatLanes& closing) const;
         /// The factor of what was scattered more than once.
         FloatLanes closing() const;
+        /// The factor of what the interface had sent back; the rest then has as much less.
+        FloatLanes returned_gain() const;
         /// Of it, what the ground alone has scattered, by the equation of transfer; and the factor
         /// of the hot spot.
         FloatLanes ground() const;
@@ -118,7 +127,7 @@ class HotSpot {
 
     std::vector<Species> species_;
     std::vector<float> top_um_, thickness_um_;
-    std::vector<FloatLanes> ground_, closing_;  // by direction, or empty
+    std::vector<FloatLanes> ground_, closing_, returned_;  // by direction, or empty
     sparkle::CoatTilt coat_;
     std::span<const float> overlap_;  // disc_overlap_integral() at even x, 0 to 1
 };

@@ -115,4 +115,23 @@ std::vector<float> closing_factors(const solver::SolvedPaint& paint, const HotSp
     return factors;
 }
 
+std::vector<float> returned_gains(const solver::SolvedPaint& paint, const HotSpotTables& tables) {
+    const int count = paint.medium.wavelength_count();
+    std::vector<float> gains(static_cast<std::size_t>(kDirectionIntervals + 1) * count);
+    parallel_for(0, paint::block_count(count), [&](int block) {
+        const HotSpotBlock paint_block(paint, tables, block);
+        const Ray grazing = paint_block.ray(direction_angle(kDirectionIntervals), std::numbers::pi);
+        for (int row = 0; row <= kDirectionIntervals; ++row) {
+            const Ray ray = paint_block.ray(direction_angle(row));
+            const FloatLanes gain = paint_block.single_gain(ray, grazing, std::numbers::pi,
+                                                            paint_block.pair(ray, grazing));
+            for (int lane = 0; lane < std::min(kLanes, count - block * kLanes); ++lane) {
+                gains[static_cast<std::size_t>(row) * count + block * kLanes + lane] =
+                    std::sqrt(gain[lane]);
+            }
+        }
+    });
+    return gains;
+}
+
 }  // namespace nacre::bsdf

@@ -26,6 +26,22 @@ namespace nacre::bsdf {
 /// @throws Error if the balancing does not converge
 std::vector<float> closing_factors(const solver::SolvedPaint& paint, const HotSpotTables& tables);
 
+// Where flakes lean it matters which part of f_m it is taken from. What was scattered again among flakes
+// and left when it first met the interface has less. What the interface had sent back has more: it came
+// up from flakes as light does that leaves, most of it about the critical angle or beyond, and met flakes
+// anew, and both gain like single scattering, less what is scattered again on either way.
+//
+// How much that leaves is not derived. Among discs whose light is told apart (opaque, 2 deep, lamps at 15,
+// 45 and 65 deg outside) it was 1.25, 1.13, 1.12 times as much with 5 um as with 0.5 um and 1.51, 1.45,
+// 1.44 with 20 um, where flakes reflect 0.9; that is the gain of one way. Where they reflect 0.4 it was
+// 2.2, 1.9 with 20 um, that of both, but then such light is 1 to 3 % of all. One way is taken.
+
+/// The gain of light that the interface had sent back: the product of two directions, by
+/// [direction][wavelength]. The square of one is the gain of single scattering between it and the critical
+/// angle on the other side.
+/// @param tables  all but the closing; of a smooth interface
+std::vector<float> returned_gains(const solver::SolvedPaint& paint, const HotSpotTables& tables);
+
 /// Scales a symmetric matrix: g with g_a sum_b m[a][b] g_b = sum[a], to 1e-6 of it. g_a = 1 where
 /// m[a] and sum[a] are 0, and 0 where sum[a] alone is.
 /// @param matrix  row-major, entries >= 0

@@ -59,7 +59,11 @@ class BoundNacre::WithHotSpot {
     FloatLanes multiple(const FloatLanes& multiple) const {
         return pair_ ? pair_->multiple(multiple) : multiple;
     }
+    FloatLanes multiple(const FloatLanes& multiple, const FloatLanes& closing) const {
+        return pair_ ? pair_->multiple(multiple, closing) : multiple;
+    }
     FloatLanes closing() const { return pair_ ? pair_->closing() : splat(1.0f); }
+    FloatLanes returned_gain() const { return pair_ ? pair_->returned_gain() : splat(1.0f); }
     // What the table of single scattering under a rough clearcoat holds.
     const WithHotSpot& mean() const { return *this; }
 
