@@ -107,6 +107,9 @@ class LeaningFlakes final : public BoundBsdf {
     BinderIndex binder_index() const override { return index_; }
 
  private:
+    /// Cosine outside of the flattest direction with which a flat paint is asked.
+    static constexpr float kMinFlatCosine = 1e-3f;
+
     /// A direction above the horizon.
     struct Ray {
         Vec3f outside, inside;
@@ -138,6 +141,9 @@ class LeaningFlakes final : public BoundBsdf {
     const Seen* see(Vec3f w, std::optional<Seen>& room) const;
     Vec3f flat_of(const Lean& lean, Vec3f inside) const;
     FloatLanes transmittance(float cosine_outside) const;
+
+    // Light from the ground: leaning_ground.cpp.
+
     /// Of light that crosses flakes and coat and leaves: factor e^exponent.
     struct Passage {
         FloatLanes exponent, factor;
@@ -146,6 +152,8 @@ class LeaningFlakes final : public BoundBsdf {
                            const FloatLanes& transmitted);
     /// Through the flat paint, by its cosines inside and outside.
     Passage flat_passage(float inside, float outside) const;
+    /// The direction from which the ground is seen, away from this azimuth.
+    static Vec3f far_from(Vec2f azimuth);
     bool over_ground() const { return lane_max(ground_) > 0; }
     GroundRays ground_rays(const Seen& seen) const;
     FloatLanes from_ground(const Seen& i, const Seen& o, const FloatLanes& twice) const;
