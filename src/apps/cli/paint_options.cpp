@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
@@ -38,6 +40,15 @@ Paint open_as_it_is(const CommonOptions& options, const std::string& file) {
     return paint;
 }
 
+/// A file that is named on the command line is looked for where the command runs first: shipped recipes,
+/// beside which it would lie otherwise, are elsewhere.
+std::string setting_value(const std::string& text) {
+    const std::string name(trimmed(text));
+    std::error_code none;
+    if (!name.ends_with(".csv") || !std::filesystem::is_regular_file(name, none)) return text;
+    return std::filesystem::absolute(name).string();
+}
+
 Paint with_settings(const CommonOptions& options, const Paint& paint) {
     std::vector<std::pair<std::string, std::string>> settings;
     for (const std::string& text : options.set) {
@@ -47,7 +58,7 @@ Paint with_settings(const CommonOptions& options, const Paint& paint) {
                 fmt::format("--set {}: must be KEY=VALUE, as in layer[0].thickness_um=20", text));
         }
         settings.emplace_back(trimmed(std::string_view(text).substr(0, equals)),
-                              text.substr(equals + 1));
+                              setting_value(text.substr(equals + 1)));
     }
     try {
         return paint.with_settings(settings);

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "apps/cli/program_test_support.h"
@@ -55,6 +56,23 @@ TEST_F(Program, SetIsSolvedAndRenderedAndSaid) {
     ASSERT_EQ(nacre("render sphere --paint gray.toml" + picture + "b.exr").status, 0);
     EXPECT_NE(contents(folder_ / "a.exr"), contents(folder_ / "b.exr"));
     EXPECT_EQ(nacre("render sphere --set alpha=0.3" + picture + "c.exr").status, 1);
+}
+
+TEST_F(Program, SetFindsFilesWhereTheCommandRuns) {
+    write("ground.csv", "wavelength_nm,reflectance\n400,0.2\n700,0.4\n");
+    std::filesystem::create_directory(folder_ / "elsewhere");
+    write("elsewhere/gray.toml", contents(folder_ / "gray.toml"));
+    write("elsewhere/beside.csv", contents(folder_ / "ground.csv"));
+    const std::string beside =
+        nacre("measure gray.toml --set substrate.reflectance=ground.csv").out;
+    EXPECT_FALSE(beside.empty());
+    EXPECT_NE(beside, nacre("measure gray.toml").out);
+    for (const std::string name : {"ground.csv", "beside.csv"}) {
+        EXPECT_EQ(nacre("measure elsewhere/gray.toml --set substrate.reflectance=" + name).out,
+                  beside)
+            << name;
+    }
+    EXPECT_EQ(nacre("measure elsewhere/gray.toml --set substrate.reflectance=none.csv").status, 1);
 }
 
 TEST_F(Program, SetChangesTheStartOfAFit) {

@@ -66,12 +66,30 @@ std::string range_cells(const Known& range) {
     return range == kEverywhere ? "," : fmt::format("{},{}", range.first, range.second);
 }
 
-/// Nothing where the data end before the default wavelengths do.
+/// Where data end within the default wavelengths, with their last index beyond: for a chip, which shows
+/// the whole of the spectrum.
+optics::Material continued(const optics::Material& material) {
+    if (covers_default_wavelengths(known(material))) return material;
+    std::vector<double> wavelengths_nm = material.wavelengths_nm();
+    std::vector<optics::ComplexIndex> index = material.samples();
+    const double first = spectra::default_wavelengths_nm().front(),
+                 last = spectra::default_wavelengths_nm().back();
+    if (wavelengths_nm.front() > first) {
+        wavelengths_nm.insert(wavelengths_nm.begin(), first);
+        index.insert(index.begin(), index.front());
+    }
+    if (wavelengths_nm.back() < last) {
+        wavelengths_nm.push_back(last);
+        index.push_back(index.back());
+    }
+    return {material.name(), std::move(wavelengths_nm), std::move(index), material.source()};
+}
+
 std::string chip_of(const optics::Material& material) {
-    if (!covers_default_wavelengths(known(material))) return {};
+    const optics::Material shown = continued(material);
     std::vector<double> reflectance;
     for (const double nm : spectra::default_wavelengths_nm()) {
-        reflectance.push_back(optics::stack_reflectance(1.0, {}, material.index(nm), 1, nm,
+        reflectance.push_back(optics::stack_reflectance(1.0, {}, shown.index(nm), 1, nm,
                                                         optics::Polarization::unpolarized)
                                   .reflectance);
     }
@@ -80,7 +98,10 @@ std::string chip_of(const optics::Material& material) {
 
 constexpr double kChipVolume = 0.03, kChipThickness_um = 40;
 
-std::string drawdown_chip(const paint::Pigment& pigment, double ground, const Progress& progress) {
+std::string drawdown_chip(paint::Pigment pigment, double ground, const Progress& progress) {
+    if (auto* particles = std::get_if<paint::PigmentParticles>(&pigment.body)) {
+        particles->spheres.material = continued(particles->spheres.material);
+    }
     paint::Recipe recipe;
     recipe.binder = optics::Material(1.5);
     recipe.layers.push_back({kChipThickness_um, {}, {pigment}});
@@ -110,14 +131,12 @@ std::string pigments_csv(const Progress& progress) {
         const std::string name(shipped.name);
         const io::PigmentFile file =
             io::parse_pigment_file(shipped.toml, name + ".toml", kChipVolume);
-        const Known range = known(file.pigment);
-        const bool chips = covers_default_wavelengths(range);
         const bool particles = std::holds_alternative<paint::PigmentParticles>(file.pigment.body);
         fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{}\n", name,
                        csv_cell(file.pigment.name), particles ? "particles" : "coefficients",
-                       range_cells(range), chips ? drawdown_chip(file.pigment, 0.02, progress) : "",
-                       chips ? drawdown_chip(file.pigment, 0.9, progress) : "",
-                       csv_cell(file.source));
+                       range_cells(known(file.pigment)),
+                       drawdown_chip(file.pigment, 0.02, progress),
+                       drawdown_chip(file.pigment, 0.9, progress), csv_cell(file.source));
     }
     return csv;
 }

@@ -102,8 +102,9 @@ class Reader final : public paint::Visitor {
             value = table_.number(field.key, field.range);
             return;
         }
-        value = table_.number(field.key, {});
-        if (!allows(field, value)) table_.fail(field.key, "must be " + allowed_text(field));
+        const std::string allowed = allowed_text(field);
+        value = table_.number(field.key, allowed);
+        if (!allows(field, value)) table_.fail(field.key, "must be " + allowed);
     }
 
     void spectrum(const Field& field, Spectrum& value) override {

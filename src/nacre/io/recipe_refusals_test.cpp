@@ -180,7 +180,7 @@ const BadRecipe kBadRecipes[] = {
     {&kViolet, "core  =", "thickness_um = 0.5\ncore =", "18:16",
      "layer[0].flakes[0].thickness_um = 0.5", "goes with reflectance"},
     {&kGray, "thickness_um = 0.3", "coats = []", "9:9", "layer[0].flakes[0].coats = []",
-     "go with a core"},
+     "only with a core"},
     {&kGray, "area_density_per_um = 0.1",
      "volume_fraction = 0.9\norientation = { distribution = "
      "\"beckmann\", alpha = 0.1 }\nreflectance = 0.5\nthickness_um = 0.3\n[[layer.flakes]]\n"
@@ -254,6 +254,14 @@ const BadRecipe kBadRecipes[] = {
      "all must be in [0, inf)"},
     {&kUncertain, "\"7 %\"\n", "\"7 %\"\ncorrelation = 0.5\n",
      "31:", "uncertainty.correlation = 0.5", "must be a list of 1 to 4096 tables"},
+    // keys that exclude each other
+    {&kViolet, "roughness = 0.0", "roughness = 0.1\norange_peel = { wb = 0.01 }",
+     "7:", "clearcoat.roughness = 0.1", "must be 0 with an orange_peel"},
+    // a key whose 0 says something else than its range
+    {&kViolet, "roughness = 0.0", "roughness = \"matte\"", "7:", "clearcoat.roughness = 'matte'",
+     "must be 0, smooth, or a number in [0.01, 1]"},
+    {&kViolet, "roughness = 0.0", "roughness = nan", "7:", "clearcoat.roughness = nan",
+     "must be 0, smooth, or a number in [0.01, 1]"},
     // sizes
     {&kViolet, "name = \"Violet",
      "name = \"VioletVioletVioletVioletVioletVioletVioletVioletViolet"

@@ -18,6 +18,13 @@ namespace nacre::io {
 
 namespace {
 
+/// Not a number for what is none.
+double number_of(const toml::node& node) {
+    if (const auto* real = node.as_floating_point()) return real->get();
+    if (const auto* integer = node.as_integer()) return static_cast<double>(integer->get());
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
 std::string shown(const toml::node& node) {
     if (node.is_table()) return "{...}";
     if (const toml::array* array = node.as_array()) {
@@ -126,12 +133,7 @@ const toml::node& TableReader::require(std::string_view key, std::string_view wh
 
 double TableReader::as_number(const toml::node& node, const std::string& key,
                               const Range& range) const {
-    double number = std::numeric_limits<double>::quiet_NaN();
-    if (const auto* real = node.as_floating_point()) {
-        number = real->get();
-    } else if (const auto* integer = node.as_integer()) {
-        number = static_cast<double>(integer->get());
-    }
+    const double number = number_of(node);
     if (!std::isfinite(number) || !range.contains(number)) {
         fail_at(key, node,
                 "must be a number in " + range.text() + percent_hint(key, number, range));
@@ -141,6 +143,12 @@ double TableReader::as_number(const toml::node& node, const std::string& key,
 
 double TableReader::number(std::string_view key, const Range& range) const {
     return as_number(require(key, "a number in " + range.text()), path_of(key), range);
+}
+
+double TableReader::number(std::string_view key, std::string_view allowed) const {
+    const double number = number_of(require(key, allowed));
+    if (!std::isfinite(number)) fail(key, fmt::format("must be {}", allowed));
+    return number;
 }
 
 std::string TableReader::text(std::string_view key, std::size_t max_length) const {

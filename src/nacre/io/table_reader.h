@@ -45,6 +45,8 @@ class TableReader {
 
     /// A finite number in the range.
     double number(std::string_view key, const Range& range) const;
+    /// A finite number, or refused with the words for what is allowed.
+    double number(std::string_view key, std::string_view allowed) const;
     /// Text of 1 to `max_length` characters (0 to `max_length` for text_or).
     std::string text(std::string_view key, std::size_t max_length) const;
     std::string text_or(std::string_view key, std::string fallback, std::size_t max_length) const;

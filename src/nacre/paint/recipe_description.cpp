@@ -229,7 +229,7 @@ void describe(Visitor& visit, FlakeSpecies& species) {
         {.key = "orientation", .meaning = "how the flakes lie", .required = true, .in_line = true},
         Described(species.orientation));
     visit({.each = {{"core", "goes with reflectance; a flake with a core gets it from its films"},
-                    {"reflectance", "go with a core; this flake has a reflectance"}},
+                    {"reflectance", "only with a core; this flake has a reflectance"}},
            .both = "a flake has either a reflectance or a core, not both"},
           species.body);
 }
