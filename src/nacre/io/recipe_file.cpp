@@ -94,7 +94,7 @@ std::vector<paint::ParameterDeviation> read_deviations(const TableReader& table,
                                      "\"5 %\"");
                 }
             } else {
-                deviation.amount = uncertainty.number(key, {});
+                deviation.amount = uncertainty.number(key, Range{});
             }
             paint::check_deviation(recipe, deviation);
             return deviation;
