@@ -28,6 +28,44 @@ def test_shipped_paints_go_by_their_names(paints: Path) -> None:
         nacre.Paint("rubi")
 
 
+def test_a_shipped_paint_finds_the_spectrum_that_it_names(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)  # the file lies beside the recipe, not here
+    primer = nacre.Paint("blue-tricoat").to_dict()["substrate"]["reflectance"]
+    assert primer["wavelengths_nm"] == list(range(400, 701, 10))
+    assert min(primer["values"]) > 0.3
+
+
+def test_the_synthetic_primer_is_the_one_that_its_source_describes() -> None:
+    """data/SOURCES.md: what the primer reads is read of a ground of that reflectance, too."""
+    spectrum = nacre.Paint("blue-tricoat").to_dict()["substrate"]["reflectance"]
+    parts = {
+        "rutile-white": 0.08,
+        "chalk": 0.2,
+        "organic-blue-synthetic": 0.004,
+        "carbon-black-coarse": 0.006,
+    }
+    pigment = [{"from": name, "volume_fraction": part} for name, part in parts.items()]
+    primer = nacre.Paint.from_dict(
+        {
+            "ior": 1.5,
+            "layer": [{"thickness_um": 45, "pigment": pigment}],
+            "substrate": {"reflectance": 0.15},
+        }
+    )
+    ground = nacre.Paint.from_dict(
+        {"ior": 1.5, "layer": [{"thickness_um": 1}], "substrate": {"reflectance": spectrum}}
+    )
+    read, reread = (
+        paint.measure(["45as45"], wavelengths_nm=range(400, 701, 10)).R
+        for paint in (primer, ground)
+    )
+    # Half of the last of the file's four decimals: below a reflectance of 0.6 a reading changes by
+    # less than its ground does.
+    np.testing.assert_allclose(reread, read, rtol=0, atol=5e-5)
+
+
 def test_numbers_that_are_hardly_meant_are_told(pearl: nacre.Paint) -> None:
     assert pearl.implausible == []
     pearl["coats[0].thickness_nm"] = 0.08

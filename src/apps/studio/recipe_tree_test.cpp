@@ -25,9 +25,10 @@ TEST(RecipeTree, EveryShippedPaintComesBackFromItsTree) {
     ASSERT_GT(names.size(), 20u);
     for (const std::string& name : names) {
         const std::string text = text_of_paint(name);
+        const References beside = References::of_file(find_paint(name));  // as a primer's spectrum
         const Tree tree = tree_of_toml(text, name);
-        const auto before = io::parse_recipe_file(text, name, {});
-        const auto after = io::parse_recipe_file(toml_of_tree(tree), name, {});
+        const auto before = io::parse_recipe_file(text, name, beside);
+        const auto after = io::parse_recipe_file(toml_of_tree(tree), name, beside);
         EXPECT_EQ(before.recipe, after.recipe) << name << "\n" << toml_of_tree(tree);
         EXPECT_EQ(before.bounds, after.bounds) << name;
         EXPECT_EQ(before.deviations, after.deviations) << name;
