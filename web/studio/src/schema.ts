@@ -152,12 +152,55 @@ export function chosen(table: Table, alternatives: Alternatives): number {
     return Math.max(found, 0);
 }
 
+function keysOf(group: Alternatives): string[] {
+    return group.each.flatMap(({ keys }) => keys);
+}
+
+/** Without those that belong to an alternative of another that the table does not state. */
+export function statedGroups(table: Table, info: TableInfo): readonly Alternatives[] {
+    const groups = info.alternatives ?? [];
+    return groups.filter((group) =>
+        groups.every((other) => {
+            if (other === group) return true;
+            const own = other.each[chosen(table, other)]?.keys ?? [];
+            const foreign = keysOf(other).filter((key) => !own.includes(key));
+            return !keysOf(group).every((key) => foreign.includes(key));
+        }),
+    );
+}
+
+/** The alternative that the table does not state and that a key marks, or must stand in. */
+export function brought(
+    table: Table,
+    info: TableInfo,
+    key: KeyInfo,
+): { readonly group: Alternatives; readonly to: number } | undefined {
+    for (const group of statedGroups(table, info)) {
+        const now = chosen(table, group);
+        if (group.each[now]?.keys.includes(key.key) === true) continue;
+        const to = group.each.findIndex(
+            ({ mark, keys }) => mark === key.key || (key.required && keys.includes(key.key)),
+        );
+        if (to >= 0) return { group, to };
+    }
+    return undefined;
+}
+
+/** The group in which the key marks what the table states, and without which the first holds. */
+export function dropped(table: Table, info: TableInfo, key: string): Alternatives | undefined {
+    return statedGroups(table, info).find(
+        (group) =>
+            !group.required &&
+            group.each[0]?.mark === "" &&
+            group.each[chosen(table, group)]?.mark === key,
+    );
+}
+
 /** Keys that belong to alternatives that the table does not state. */
 export function foreignKeys(table: Table, info: TableInfo): Set<string> {
     const foreign = new Set<string>();
     const own = new Set<string>();
-    for (const group of info.alternatives ?? []) {
-        // A group that belongs to an alternative not stated has nothing to say.
+    for (const group of statedGroups(table, info)) {
         const i = chosen(table, group);
         group.each.forEach(({ keys }, k) => {
             for (const key of keys) (k === i ? own : foreign).add(key);

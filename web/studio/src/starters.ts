@@ -1,7 +1,7 @@
 /** What a new layer, flake, pigment or film begins with: numbers of paints that are made. */
 
 import type { Alternatives, KeyInfo, Schema, TableInfo } from "./schema";
-import { chosen, tableInfo } from "./schema";
+import { chosen, statedGroups, tableInfo } from "./schema";
 import type { Path, Table, Value } from "./tree";
 
 /** Entries of lists and tables, by generic path. */
@@ -115,8 +115,10 @@ function required(schema: Schema, path: Path): Table {
     for (const key of info.keys) {
         if (key.required && !keys.has(key.key)) table[key.key] = starter(schema, path, key);
     }
-    for (const group of info.alternatives ?? [])
-        addMarked(schema, path, info, group.each[0], table);
+    for (const group of info.alternatives ?? []) {
+        if (statedGroups(table, info).includes(group))
+            addMarked(schema, path, info, group.each[0], table);
+    }
     return table;
 }
 

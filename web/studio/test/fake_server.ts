@@ -133,6 +133,10 @@ export const SCHEMA: Schema = {
                     { key: "name", kind: "text", ...text },
                     { key: "volume_fraction", ...fraction },
                     { key: "area_density_per_um", ...number },
+                    { key: "d50_um", ...number },
+                    { key: "d10_um", ...number },
+                    { key: "d90_um", ...number },
+                    { key: "diameter_um", ...number, required: false },
                     { key: "core", kind: "table", ...text, required: true },
                     { key: "coats", kind: "list", ...text },
                     { key: "reflectance", ...fraction, kind: "spectrum" },
@@ -151,6 +155,20 @@ export const SCHEMA: Schema = {
                         each: [
                             { mark: "core", keys: ["core", "coats"] },
                             { mark: "reflectance", keys: ["reflectance", "transmittance"] },
+                        ],
+                    },
+                    {
+                        required: false,
+                        each: [
+                            { mark: "diameter_um", keys: ["diameter_um"] },
+                            { mark: "d50_um", keys: ["d50_um", "d10_um", "d90_um"] },
+                        ],
+                    },
+                    {
+                        required: false,
+                        each: [
+                            { mark: "", keys: ["d50_um"] },
+                            { mark: "d10_um", keys: ["d10_um", "d50_um", "d90_um"] },
                         ],
                     },
                 ],

@@ -14,7 +14,9 @@ import { fitted, orbitOf, turned, wrapped } from "../src/orbit";
 import type { KeyInfo } from "../src/schema";
 import {
     allows,
+    brought,
     chosen,
+    dropped,
     foreignKeys,
     keyInfo,
     labelOf,
@@ -217,6 +219,35 @@ test("of alternatives a table shows the keys of the one that it states", () => {
     assert.equal(grey.reflectance, 0.5);
     assert.equal(grey.volume_fraction, 0.03);
     assert.equal(chosen(grey, body), 1);
+});
+
+test("sizes are a mean diameter, a median, or three quantiles", () => {
+    const path = ["layer", 0, "flakes", 0];
+    const flakes = tableInfo(SCHEMA, path);
+    assert.ok(flakes);
+    const keyOf = (name: string) => {
+        const key = flakes.keys.find(({ key }) => key === name);
+        assert.ok(key);
+        return key;
+    };
+    const plain = newEntry(SCHEMA, ["layer", 0, "flakes"]) as Table;
+    assert.ok("diameter_um" in plain && !("d50_um" in plain));
+    const hidden = foreignKeys(plain, flakes);
+    for (const key of ["d10_um", "d50_um", "d90_um"]) assert.ok(hidden.has(key), key);
+
+    const median: Table = { volume_fraction: 0.03, d50_um: 20 };
+    assert.ok(foreignKeys(median, flakes).has("diameter_um"));
+    for (const key of ["d10_um", "d90_um"]) {
+        const other = brought(median, flakes, keyOf(key));
+        assert.ok(other, key);
+        const all = switched(SCHEMA, path, median, other.group, other.to);
+        assert.deepEqual(all, { volume_fraction: 0.03, d50_um: 20, d10_um: 8, d90_um: 32 });
+        const group = dropped(all, flakes, "d10_um");
+        assert.ok(group);
+        assert.deepEqual(switched(SCHEMA, path, all, group, 0), median);
+    }
+    assert.equal(brought(plain, flakes, keyOf("transmittance")), undefined);
+    assert.equal(dropped(median, flakes, "d50_um"), undefined);
 });
 
 test("a new entry has what the schema requires", () => {

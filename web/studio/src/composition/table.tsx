@@ -4,7 +4,7 @@ import type { ComponentChildren, VNode } from "preact";
 import { useState } from "preact/hooks";
 import { insertEntry, moveEntry, removeEntry, setValue } from "../edit";
 import type { KeyInfo, Schema, TableInfo } from "../schema";
-import { chosen, foreignKeys, labelOf, singular, tableInfo } from "../schema";
+import { brought, chosen, dropped, foreignKeys, labelOf, singular, tableInfo } from "../schema";
 import { newEntry, starter, switched } from "../starters";
 import type { Path, Table, Value } from "../tree";
 import { get, isList, isTable, pathText } from "../tree";
@@ -126,7 +126,7 @@ function MoreOf(props: {
     const remove = info.keys.filter(
         (key) =>
             key.key in table &&
-            !key.required &&
+            (!key.required || dropped(table, info, key.key) !== undefined) &&
             !marks.has(key.key) &&
             key.key !== IN_TITLE &&
             key.kind !== "list" &&
@@ -149,14 +149,23 @@ function MoreOf(props: {
     const act = (value: string) => {
         const [what, one, two] = value.split(":");
         studio.edit((document) => {
+            const now = get(document.recipe, path);
             if (what === "add") {
                 const key = info.keys.find((k) => k.key === one);
                 if (key === undefined) return document;
-                return setValue(document, [...path, key.key], starter(schema, path, key));
+                const other = isTable(now) ? brought(now, info, key) : undefined;
+                if (other === undefined || !isTable(now))
+                    return setValue(document, [...path, key.key], starter(schema, path, key));
+                const more = switched(schema, path, now, other.group, other.to);
+                return setValue(document, path, more);
             }
-            if (what === "remove") return setValue(document, [...path, one ?? ""], undefined);
+            if (what === "remove") {
+                const group = isTable(now) ? dropped(now, info, one ?? "") : undefined;
+                if (group === undefined || !isTable(now))
+                    return setValue(document, [...path, one ?? ""], undefined);
+                return setValue(document, path, switched(schema, path, now, group, 0));
+            }
             const group = info.alternatives?.[Number(one)];
-            const now = get(document.recipe, path);
             if (group === undefined || !isTable(now)) return document;
             const changed = switched(schema, path, now, group, Number(two));
             return setValue(document, path, changed);
