@@ -36,8 +36,10 @@ struct InfoOptions : CommonOptions {
 
 std::string diameter_text(const paint::FlakeSpecies& flakes) {
     if (!flakes.quantiles) return fmt::format("diameter {} um", flakes.diameter_um);
-    const auto& [d10, d50, d90] = *flakes.quantiles;
-    return fmt::format("diameters d10 {}, d50 {}, d90 {} um", d10, d50, d90);
+    const auto& [d10, d50, d90] = paint::quantiles_of(*flakes.quantiles);
+    const bool typical = std::holds_alternative<paint::MedianDiameter>(*flakes.quantiles);
+    return fmt::format("diameters d10 {}, d50 {}, d90 {} um{}", d10, d50, d90,
+                       typical ? " (d10 and d90 typical)" : "");
 }
 
 std::string orientation_text(const paint::Orientation& orientation) {

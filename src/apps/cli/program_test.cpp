@@ -131,6 +131,17 @@ TEST_F(Program, InfoTellsWhatIsSolvedInPlaceOfFlakes) {
     EXPECT_THAT(info.out, HasSubstr("edges of flakes"));
 }
 
+TEST_F(Program, InfoTellsTheTypicalSizesOfAMedianAlone) {
+    std::string text = contents(folder_ / "gray.toml");
+    text.replace(text.find("reflectance"), 0, "d50_um = 18\n");
+    write("median.toml", text);
+    const Outcome info = nacre("info median.toml");
+    EXPECT_EQ(info.status, 0) << info.err;
+    EXPECT_THAT(info.out, HasSubstr("diameters d10 9, d50 18, d90 36 um (d10 and d90 typical)"));
+    EXPECT_THAT(nacre("info median.toml --set layer[0].flakes[0].d50_um=20").out,
+                HasSubstr("diameters d10 10, d50 20, d90 40 um (d10 and d90 typical)"));
+}
+
 TEST_F(Program, ListsOfNumbersIncludeTheirEnds) {
     const Outcome film = nacre("film --angle 0,30 --wavelength 400:400.3:0.1,700");
     EXPECT_EQ(std::count(film.out.begin(), film.out.end(), '\n'), 1 + 2 * 5);

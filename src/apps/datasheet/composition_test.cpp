@@ -50,6 +50,14 @@ TEST(Composition, WordsHoldEveryNumber) {
     EXPECT_THAT(sentences[3], HasSubstr("3 %"));
 }
 
+TEST(Composition, AMedianDiameterAloneIsSaidToBeATypicalPigments) {
+    paint::Recipe paint = pearl();
+    paint.layers[0].flakes[0].quantiles = paint::MedianDiameter{18};
+    EXPECT_THAT(layers_in_words(paint)[1],
+                HasSubstr("half of their volume below 18 µm, a tenth below half and nine tenths "
+                          "below twice that (typical)"));
+}
+
 TEST(Composition, TheTableHasARowForEachIngredient) {
     const report::Table table = layers_table(pearl());
     std::vector<std::string> first, second;

@@ -166,10 +166,12 @@ paint::Recipe recipe_of(const PictureJob& job) {
             flake.diameter_um *= job.flake_scale;
             flake.diameter_spread_um *= job.flake_scale;
             if (!flake.quantiles) continue;
-            for (double* d :
-                 {&flake.quantiles->d10_um, &flake.quantiles->d50_um, &flake.quantiles->d90_um}) {
-                *d *= job.flake_scale;
+            if (auto* median = std::get_if<paint::MedianDiameter>(&*flake.quantiles)) {
+                median->d50_um *= job.flake_scale;
+                continue;
             }
+            auto& all = std::get<paint::DiameterQuantiles>(*flake.quantiles);
+            for (double* d : {&all.d10_um, &all.d50_um, &all.d90_um}) *d *= job.flake_scale;
         }
     }
     return recipe;

@@ -39,8 +39,8 @@ std::optional<double> mean_flake_um(const paint::Recipe& recipe) {
         for (const paint::FlakeSpecies& species : layer.flakes) {
             const double area = species.area_density_per_um();
             areas += area;
-            diameters +=
-                area * (species.quantiles ? species.quantiles->d50_um : species.diameter_um);
+            diameters += area * (species.quantiles ? paint::quantiles_of(*species.quantiles).d50_um
+                                                   : species.diameter_um);
         }
         if (areas > 0) return diameters / areas;
     }

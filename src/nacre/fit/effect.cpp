@@ -18,7 +18,7 @@ std::vector<double> flake_sizes(const paint::Recipe& recipe) {
             sizes.push_back(flake.diameter_um);
             sizes.push_back(flake.diameter_spread_um);
             if (flake.quantiles) {
-                const auto& [d10, d50, d90] = *flake.quantiles;
+                const auto& [d10, d50, d90] = paint::quantiles_of(*flake.quantiles);
                 sizes.insert(sizes.end(), {d10, d50, d90});
             }
         }

@@ -11,7 +11,9 @@
 #include "nacre/core/file.h"
 #include "nacre/io/recipe_test_support.h"
 #include "nacre/io/table_reader.h"
+#include "nacre/paint/expansion.h"
 #include "nacre/paint/recipe_description.h"
+#include "nacre/paint/recipe_parameter.h"
 #include "nacre/testing/described.h"
 #include "nacre/testing/errors.h"
 #include "nacre/testing/files.h"
@@ -210,7 +212,7 @@ reflectance = 0.6
 )";
     const paint::Recipe recipe = parse(text);
     const paint::FlakeSpecies& sheet = recipe.layers[0].flakes[0];
-    EXPECT_EQ(sheet.quantiles, (paint::DiameterQuantiles{9, 20, 41}));
+    EXPECT_EQ(sheet.quantiles, paint::StatedQuantiles(paint::DiameterQuantiles{9, 20, 41}));
     EXPECT_EQ(sheet.edge_um, 0.3);
     EXPECT_EQ(sheet.waviness, 0.02);
     EXPECT_EQ(sheet.orientation.law, paint::Orientation::Law::ggx);
@@ -222,6 +224,32 @@ reflectance = 0.6
     ASSERT_EQ(measured.table->tilts.size(), 3u);
     EXPECT_EQ(measured.table->tilts[1].tilt_deg, 3);
     EXPECT_EQ(parse(write_recipe(recipe)), recipe);
+}
+
+// A median alone is kept as such, with a typical pigment's d10 and d90 in what is solved.
+TEST(RecipeFile, FlakesMayHaveAMedianDiameterAlone) {
+    const auto with_sizes = [](const std::string& sizes) {
+        std::string text = kViolet;
+        const std::string plain = "diameter_um = 18\ndiameter_spread_um = 6";
+        return text.replace(text.find(plain), plain.size(), sizes);
+    };
+    paint::Recipe recipe = parse(with_sizes("d50_um = 20"));
+    const paint::Recipe all = parse(with_sizes("d10_um = 10\nd50_um = 20\nd90_um = 40"));
+    EXPECT_EQ(recipe.layers[0].flakes[0].quantiles,
+              paint::StatedQuantiles(paint::MedianDiameter{20}));
+    EXPECT_EQ(paint::expanded(recipe), paint::expanded(all));
+    EXPECT_NE(recipe, all);
+
+    paint::set_parameter(recipe, "layer[0].flakes[0].d50_um", 15);
+    const std::string text = write_recipe(recipe);
+    EXPECT_NE(text.find("\nd50_um = 15\n"), std::string::npos) << text;
+    for (const char* key : {"d10_um", "d90_um", "diameter_um", "diameter_spread_um"}) {
+        EXPECT_EQ(text.find(key), std::string::npos) << key;
+    }
+    EXPECT_EQ(parse(text), recipe);
+    EXPECT_EQ(paint::expanded(parse(text)),
+              paint::expanded(parse(with_sizes("d10_um = 7.5\nd50_um = 15\nd90_um = 30"))));
+    EXPECT_THROW(paint::set_parameter(recipe, "layer[0].flakes[0].d90_um", 30), DomainError);
 }
 
 // What a recipe does not have is not written, and a plain recipe keeps its hash.

@@ -74,7 +74,7 @@ void add_species(const FlakeSpecies& species, Layer& out) {
     }
     std::vector<SizePart> parts;
     if (species.quantiles) {
-        parts = size_parts(*species.quantiles);
+        parts = size_parts(quantiles_of(*species.quantiles));
     } else {
         parts.push_back({1, FlakeSizes(species.diameter_um, species.diameter_spread_um)});
     }

@@ -150,6 +150,13 @@ TEST(Expansion, RefusesWhatCannotBe) {
                     f.quantiles = DiameterQuantiles{9, 8, 40};
                 }),
                 AllOf(HasSubstr("layer[0].flakes[0].d50_um = 8"), HasSubstr("d10_um = 9")));
+    EXPECT_THAT(refusal([](FlakeSpecies& f) { f.quantiles = MedianDiameter{0}; }),
+                HasSubstr("layer[0].flakes[0].d50_um = 0: must be in (0, 10000]"));
+    EXPECT_THAT(refusal([](FlakeSpecies& f) {
+                    f.quantiles = MedianDiameter{18};
+                    f.edge_um = 9;
+                }),
+                HasSubstr("layer[0].flakes[0].edge_um = 9: must be below half of d50_um = 18"));
     EXPECT_THAT(refusal([](FlakeSpecies& f) { f.edge_um = 10; }),
                 HasSubstr("layer[0].flakes[0].edge_um = 10: must be below half of diameter_um"));
     EXPECT_THAT(refusal([](FlakeSpecies& f) { f.waviness = 0.25; }),

@@ -87,6 +87,12 @@ double FlakeSizes::area_weighted_mean_um() const {
     return cubes / squares;
 }
 
+DiameterQuantiles quantiles_of(const StatedQuantiles& stated) {
+    if (const auto* all = std::get_if<DiameterQuantiles>(&stated)) return *all;
+    const double d50_um = std::get<MedianDiameter>(stated).d50_um;
+    return {d50_um / kTypicalDecileRatio, d50_um, d50_um * kTypicalDecileRatio};
+}
+
 std::vector<SizePart> size_parts(const DiameterQuantiles& quantiles) {
     const auto& [d10, d50, d90] = quantiles;
     if (!(d10 > 0 && d50 > d10 && d90 > d50)) {

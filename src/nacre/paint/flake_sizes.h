@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <variant>
 #include <vector>
 
 namespace nacre::paint {
@@ -49,6 +50,26 @@ struct DiameterQuantiles {
 
     friend bool operator==(const DiameterQuantiles&, const DiameterQuantiles&) = default;
 };
+
+/// The median diameter alone, as many data sheets have it; d10 and d90 are a typical pigment's.
+struct MedianDiameter {
+    double d50_um = 0;
+
+    friend bool operator==(const MedianDiameter&, const MedianDiameter&) = default;
+};
+
+/// What a data sheet says of the diameters.
+using StatedQuantiles = std::variant<MedianDiameter, DiameterQuantiles>;
+
+/// d90 / d50 and d50 / d10 of a typical pigment. Of this log-normal law 86 and 90 % of the volume
+/// are within factors of 5 and 6 about the median, such as the 5 to 25 and 10 to 60 um that
+/// titania on mica is sold in [pfaff-reynders-1999; buxbaum-pfaff-2005]; that such a range is to
+/// hold nearly all of the volume is a reading of ours.
+inline constexpr double kTypicalDecileRatio = 2;
+
+/// The law that is meant: as stated, or with d10 = d50 / kTypicalDecileRatio and d90 = d50
+/// kTypicalDecileRatio. Not checked.
+DiameterQuantiles quantiles_of(const StatedQuantiles& stated);
 
 /// A fraction of the flakes' area, and the diameters of the flakes that have it.
 struct SizePart {

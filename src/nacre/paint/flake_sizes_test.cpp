@@ -96,6 +96,41 @@ TEST(FlakeSizes, OfDataSheetsHaveTheMomentsOfALogNormalLaw) {
     EXPECT_NEAR(cubes / area / (m * cut(0) / cut(1)), 1, 2e-3);
 }
 
+// The median alone is the log-normal law of ratio r: a deviation of ln r / 1.28155 about it.
+TEST(FlakeSizes, OfAMedianAloneAreThoseOfATypicalPigment) {
+    const double m = 18, r = kTypicalDecileRatio, s = std::log(r) / 1.2815515655446004;
+    const DiameterQuantiles law = quantiles_of(MedianDiameter{m});
+    EXPECT_EQ(law, (DiameterQuantiles{9, 18, 36}));
+    EXPECT_EQ(quantiles_of(DiameterQuantiles{8, 18, 32}), (DiameterQuantiles{8, 18, 32}));
+    const auto phi = [](double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); };
+    const std::vector<SizePart> parts = size_parts(law);
+    double number = 0, cubes = 0;
+    for (const SizePart& part : parts) {
+        number += part.area_fraction / part.sizes.mean_area_um2();
+        cubes += part.area_fraction * part.sizes.area_weighted_mean_um();
+    }
+    // Moments of a law cut at three deviations, as above.
+    const auto cut = [&](int j) {
+        return std::exp(0.5 * j * j * s * s) * (phi(3 + j * s) - phi(-3 + j * s));
+    };
+    EXPECT_NEAR(1 / number / (std::numbers::pi / 4 * m * m * cut(1) / cut(3)), 1, 1e-5);
+    EXPECT_NEAR(cubes / (m * cut(0) / cut(1)), 1, 2e-3);
+    // Ranges of a factor of 5 and 6 about the median hold what the header says of the volume.
+    const auto volumes = by_volume(parts);
+    EXPECT_NEAR(quantile(volumes, 0.1) / (m / r), 1, kSizePartError);
+    EXPECT_NEAR(quantile(volumes, 0.9) / (m * r), 1, kSizePartError);
+    for (const auto& [factor, percent] : {std::pair(5.0, 86.0), std::pair(6.0, 90.0)}) {
+        double all = 0, within = 0;
+        for (const auto& [d, volume] : volumes) {
+            all += volume;
+            if (std::abs(std::log(d / m)) < 0.5 * std::log(factor)) within += volume;
+        }
+        const double exact = 1 - 2 * phi(-0.5 * std::log(factor) / s);
+        EXPECT_NEAR(100 * exact, percent, 0.5);
+        EXPECT_NEAR(within / all, exact, 0.01);  // 0.3 % are cut off, and classes have a width
+    }
+}
+
 // The limit of one size.
 TEST(FlakeSizes, OfDataSheetsWithoutSpreadAreOneSize) {
     const std::vector<SizePart> parts = size_parts({20 - 1e-3, 20, 20 + 1e-3});

@@ -37,7 +37,7 @@ void check_layer_thickness(Findings& found, const std::string& key, double thick
 
 /// The diameter of the flakes that most of the area is in.
 double typical_diameter_um(const FlakeSpecies& flakes) {
-    return flakes.quantiles ? flakes.quantiles->d50_um : flakes.diameter_um;
+    return flakes.quantiles ? quantiles_of(*flakes.quantiles).d50_um : flakes.diameter_um;
 }
 
 void check_tilts(Findings& found, const std::string& key, const Orientation& orientation) {

@@ -60,7 +60,7 @@ void check_sizes(const std::string& path, const FlakeSpecies& species) {
     double middle_um = species.diameter_um;
     const char* middle_key = "diameter_um";
     if (species.quantiles) {
-        const auto& [d10, d50, d90] = *species.quantiles;
+        const auto& [d10, d50, d90] = quantiles_of(*species.quantiles);
         if (!(d10 < d50 && d50 < d90)) {
             throw DomainError(
                 fmt::format("{}d50_um = {}: must be above d10_um = {} and below d90_um = {}", path,

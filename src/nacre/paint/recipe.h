@@ -73,7 +73,7 @@ struct FlakeSpecies {
     std::variant<VolumeFraction, AreaDensity> amount;
     double diameter_um = 20;
     double diameter_spread_um = 0;
-    std::optional<DiameterQuantiles> quantiles = {};  ///< in place of the two above
+    std::optional<StatedQuantiles> quantiles = {};  ///< in place of the two above
     /// Width of the rim that scatters light in all directions; 0: flakes reflect up to their edge.
     double edge_um = 0;
     /// Of a flake's surface, as alpha of its slopes about the flake's mean plane; 0: flat.

@@ -234,22 +234,52 @@ void describe(Visitor& visit, FlakeSpecies& species) {
           species.body);
 }
 
+namespace {
+
+Field quantile_field(const char* key, const char* meaning, const char* words) {
+    return {.key = key,
+            .range = kFlakeDiameter,
+            .meaning = meaning,
+            .required = true,
+            .also = "d10 < d50 < d90",
+            .words = words};
+}
+
+Field d50_field(const char* words) {
+    return quantile_field("d50_um",
+                          "in place of `diameter_um`: half of the volume, as makers state it by "
+                          "laser diffraction",
+                          words);
+}
+
+}  // namespace
+
+void describe(Visitor& visit, StatedQuantiles& quantiles) {
+    visit({.each = {{"", "goes with d10_um; give both, or d50_um alone for a typical pigment"},
+                    {"d10_um"}},
+           .both = ""},
+          quantiles);
+}
+
+void describe(Visitor& visit, MedianDiameter& median) {
+    static_assert(kTypicalDecileRatio == 2, "is said in words here and below");
+    visit(d50_field("half of their volume below {}, a tenth below half and nine tenths below twice "
+                    "that (typical)"),
+          median.d50_um);
+}
+
 void describe(Visitor& visit, DiameterQuantiles& quantiles) {
-    const auto one = [&](const char* key, const char* meaning, const char* words, double& value) {
-        visit({.key = key,
-               .range = kFlakeDiameter,
-               .meaning = meaning,
-               .required = true,
-               .also = "d10 < d50 < d90",
-               .words = words},
-              value);
-    };
-    one("d10_um", "a tenth of the powder's volume is in flakes smaller than this",
-        "a tenth of their volume below {}", quantiles.d10_um);
-    one("d50_um",
-        "in place of `diameter_um`: half of the volume, as makers state it by laser diffraction",
-        "half below {}", quantiles.d50_um);
-    one("d90_um", "nine tenths of the volume", "nine tenths below {}", quantiles.d90_um);
+    Field d10 = quantile_field("d10_um",
+                               "a tenth of the powder's volume is in flakes smaller than this; "
+                               "with `d90_um`",
+                               "a tenth of their volume below {}");
+    d10.otherwise = "`d50_um` / 2";
+    Field d90 = quantile_field("d90_um", "nine tenths of the volume; with `d10_um`",
+                               "nine tenths below {}");
+    d90.otherwise = "2 `d50_um`";
+    visit(d10, quantiles.d10_um);
+    visit(d50_field("half below {}"), quantiles.d50_um);
+    visit(d90, quantiles.d90_um);
 }
 
 void describe(Visitor& visit, Orientation& orientation) {

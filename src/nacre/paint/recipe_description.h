@@ -19,6 +19,8 @@ void describe(Visitor& visit, Layer& layer);
 void describe(Visitor& visit, FlakeSpecies& species);
 void describe(Visitor& visit, VolumeFraction& amount);
 void describe(Visitor& visit, AreaDensity& amount);
+void describe(Visitor& visit, StatedQuantiles& quantiles);
+void describe(Visitor& visit, MedianDiameter& median);
 void describe(Visitor& visit, DiameterQuantiles& quantiles);
 void describe(Visitor& visit, Orientation& orientation);
 void describe(Visitor& visit, TabulatedTilts& table);
