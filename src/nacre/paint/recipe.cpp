@@ -193,14 +193,6 @@ void check_spread(const Clearcoat& coat) {
         coat.thickness_spread_um, most_um, coat.thickness_um));
 }
 
-void check_orange_peel(const Clearcoat& coat) {
-    if (!coat.orange_peel || coat.roughness == 0) return;
-    throw DomainError(
-        fmt::format("clearcoat.roughness = {}: must be 0 with an orange_peel, whose waves are "
-                    "shown by the mirror image of a smooth interface",
-                    coat.roughness));
-}
-
 Spectrum scaled(const Spectrum& spectrum, double factor) {
     std::vector<double> values = spectrum.values();
     for (double& value : values) value *= factor;
@@ -343,10 +335,7 @@ void validate(const Recipe& recipe, const std::vector<double>& wavelengths_nm) {
     }
     RecipeCheck check(wavelengths_nm);
     Described::to_inspect(recipe).accept(check);
-    if (recipe.clearcoat) {
-        check_spread(*recipe.clearcoat);
-        check_orange_peel(*recipe.clearcoat);
-    }
+    if (recipe.clearcoat) check_spread(*recipe.clearcoat);
     if (recipe.layers.empty() && !recipe.microfacet) {
         throw DomainError("layer: a paint needs at least one layer (or a microfacet table)");
     }

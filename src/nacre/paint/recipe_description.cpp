@@ -87,7 +87,7 @@ void describe(Visitor& visit, Clearcoat& coat) {
           coat.roughness);
     visit({.key = "orange_peel",
            .meaning = "waves of the air interface, which only pictures show "
-                      "([orange-peel.md](orange-peel.md)); only with `roughness` 0",
+                      "([orange-peel.md](orange-peel.md)), those of `roughness` 0",
            .words = "orange peel with slopes of {}",
            .in_line = true},
           coat.orange_peel);

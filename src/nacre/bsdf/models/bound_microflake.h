@@ -65,6 +65,7 @@ void tabulate_sampling(
     const std::function<std::unique_ptr<const BoundMicroflake>(const Wavelengths&)>& bind);
 
 /// Of a specimen of the paint; none where its coat is flat.
+/// @throws DomainError if it is rough as well
 std::optional<sparkle::CoatWaves> coat_waves(const solver::SolvedPaint& paint,
                                              std::uint64_t specimen);
 

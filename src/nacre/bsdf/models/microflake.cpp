@@ -101,6 +101,12 @@ std::optional<sparkle::CoatWaves> coat_waves(const solver::SolvedPaint& paint,
                                              std::uint64_t specimen) {
     const auto peel = paint.recipe.orange_peel();
     if (!peel) return std::nullopt;
+    if (paint.recipe.clearcoat->roughness > 0) {
+        throw DomainError(fmt::format(
+            "clearcoat.roughness = {}: must be 0 with an orange_peel, whose waves are shown "
+            "by the mirror image of a smooth interface",
+            paint.recipe.clearcoat->roughness));
+    }
     return sparkle::CoatWaves(*peel, specimen);
 }
 
