@@ -142,10 +142,15 @@ TEST(StudioSchema, SaysRangesAndAlternatives) {
     EXPECT_EQ((*key)["min"], 0);
     EXPECT_EQ((*key)["min_excluded"], true);
     EXPECT_EQ((*key)["max"], 1);
-    ASSERT_EQ(flakes["alternatives"].size(), 3u) << flakes["alternatives"].dump(2);
+    ASSERT_EQ(flakes["alternatives"].size(), 4u) << flakes["alternatives"].dump(2);
     EXPECT_EQ(flakes["alternatives"][0]["required"], true);
     EXPECT_EQ(flakes["alternatives"][0]["each"][1]["mark"], "area_density_per_um");
     EXPECT_EQ(flakes["ordered"], true);
+    // Within the alternative of quantiles: d50_um alone, or all three.
+    const Tree& median = flakes["alternatives"][3]["each"];
+    EXPECT_EQ(median[0]["mark"], "");
+    EXPECT_EQ(median[0]["keys"], Tree({"d50_um"}));
+    EXPECT_EQ(median[1]["mark"], "d10_um");
     // Those of pigments, within alternatives of pigments.
     const Tree& pigment = table_of(schema, "layer[].pigment[]");
     bool particles = false;
