@@ -48,14 +48,17 @@ const FRAME_MS = 30;
 /** Samples of pixels that are worth a frame on any machine. */
 const LEAST_WORK = 4096;
 const COARSE_SAMPLES = 24;
-/** Fine enough for lights and films; coarse enough for many samples of each pixel, and to tell glitter from its mean. */
+/** Fine enough for lights; coarse enough for many samples of a pixel, and to tell glitter from its mean. */
 const LEAST_COARSE = 3;
 const MOST_COARSE = 10;
 /** As long as drawing may take in the frame that follows a move, unless the least that it shows takes longer. */
 const MOVING_MS = 12;
 /** Between looks whether a frame has been drawn. */
 const POLL_MS = 2;
-/** Where a frame does not hold the whole picture what is new is drawn once, and not refined before so long: the next move may be on its way. */
+/**
+ * Where a frame does not hold the whole picture what is new is drawn once, and not refined before so long:
+ * the next move may be on its way.
+ */
 const REST_MS = 200;
 /** Of a sample that asks flakes, over one that does not, where processors draw. */
 const ASKING_COST = 6;
