@@ -1,11 +1,11 @@
 /**
  * How long the page takes: from a key that moves a film to its chips, and to the live picture of the new
  * paint as the graphics processor has drawn it; and from one drawn frame to the next while the picture is
- * turned. Figures of docs/studio.md; so many moves in each series:
+ * turned. Figures of docs/studio.md:
  *
- *     ./dev studio --latency [MOVES]
+ *     ./dev studio --latency
  *
- * Which renderer draws is said first (test/program.ts tells how to choose it).
+ * A series has 30 moves, or as many as the argument of the script says. Which renderer draws is said first (test/program.ts tells how to choose it).
  */
 
 import assert from "node:assert/strict";
