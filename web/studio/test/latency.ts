@@ -5,7 +5,8 @@
  *
  *     ./dev studio --latency
  *
- * A series has 30 moves, or as many as the argument of the script says. Which renderer draws is said first (test/program.ts tells how to choose it).
+ * A series has 30 moves, or as many as the argument of the script says. Which renderer draws is said first
+ * (test/program.ts tells how to choose it).
  */
 
 import assert from "node:assert/strict";
