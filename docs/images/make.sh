@@ -94,3 +94,14 @@ for paint in metallic-silver ruby tio2-mica-110 glitter-100um; do
     tiles+=("$scratch/$paint/"{15s,45s,75s,diffuse}.png)
 done
 montage "${tiles[@]}" -tile 4x4 -geometry 150x150+2+2 docs/images/sparkle.png
+
+printf 'sparkle-waviness.png\n' >&2
+tiles=()
+for slopes in '0 0.16' '0.06 0.1483'; do
+    read -r waviness alpha <<<"$slopes"
+    "$nacre" sparkle paints/metallic-silver.toml --set diameter_um=36 diameter_spread_um=12 \
+        "waviness=$waviness" "orientation.alpha=$alpha" --lamp 15,45 --field 3 --diffuse-samples 0 \
+        --pictures "$scratch/waviness-$waviness" --quiet -o "$scratch/sparkle.csv"
+    tiles+=("$scratch/waviness-$waviness/"{15s,45s}.png)
+done
+montage "${tiles[@]}" -tile 4x1 -geometry 240x240+2+2 docs/images/sparkle-waviness.png
