@@ -99,8 +99,8 @@ printf 'sparkle-waviness.png\n' >&2
 tiles=()
 for slopes in '0 0.16' '0.06 0.1483'; do
     read -r waviness alpha <<<"$slopes"
-    "$nacre" sparkle paints/metallic-silver.toml --set diameter_um=36 diameter_spread_um=12 \
-        "waviness=$waviness" "orientation.alpha=$alpha" --lamp 15,45 --field 3 --diffuse-samples 0 \
+    "$nacre" sparkle paints/metallic-silver.toml --set diameter_um=36 --set diameter_spread_um=12 \
+        --set "waviness=$waviness" --set "orientation.alpha=$alpha" --lamp 15,45 --field 3 --diffuse-samples 0 \
         --pictures "$scratch/waviness-$waviness" --quiet -o "$scratch/sparkle.csv"
     tiles+=("$scratch/waviness-$waviness/"{15s,45s}.png)
 done

@@ -75,6 +75,7 @@ def disagreement(got: Array, want: Array) -> float:
 
 
 WAVY = "effect-pigments/aluminium-corn-flake"
+FLAT = {"waviness": 0.001, "orientation.alpha": 0.16}  # flakes that sparkle more than wavy ones
 
 
 @pytest.mark.parametrize("name", ["red-gold", "ruby", "tinted-grey", "satin-silver", WAVY])
@@ -132,7 +133,7 @@ def test_scalar_variants_give_the_same_values(paints: Path) -> None:
         ("ruby", 0.02, 0.3),
         ("tio2-mica-80", 0.5, 0.3),
         ("satin-silver", 0.02, 0.3),
-        ("satin-silver", 0.5, 0.04),
+        ("satin-silver", 0.4, 0.04),
         (WAVY, 0.02, 0.3),
         (WAVY, 0.5, 0.04),
     ],
@@ -273,7 +274,7 @@ def test_weights_add_up_to_the_albedo(paints: Path, shown: bool) -> None:
 def test_pictures_with_and_without_flakes_have_one_mean(
     paints: Path, name: str, grainier: float
 ) -> None:
-    scene = ball(paints / f"{name}.toml", 90.0)
+    scene = ball(nacre.Paint(paints / f"{name}.toml").with_values(FLAT), 90.0)
     mean = np.array(mi.render(scene, spp=64, seed=1))
     plugin.attach(scene)
     flakes = np.array(mi.render(scene, spp=64, seed=2))

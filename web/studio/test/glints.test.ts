@@ -107,14 +107,14 @@ interface Expectation {
 const EXPECTED: readonly Expectation[] = [
     {
         name: "single flakes of two millimetres",
-        scene: { paint: "metallic-silver", shape: "macro", light: "microscope", size: 64 },
+        scene: { paint: "flat metallic-silver", shape: "macro", light: "microscope", size: 64 },
         samples: 16,
         correlation: 0.85,
         shared: 0.6,
     },
     {
         // Lobes of more flakes overlap: less contrast, over as much noise.
-        name: "single flakes under a rough coat",
+        name: "single wavy flakes under a rough coat",
         scene: { paint: "satin-silver", shape: "macro", light: "microscope", size: 64 },
         samples: 16,
         correlation: 0.6,
@@ -122,7 +122,7 @@ const EXPECTED: readonly Expectation[] = [
     },
     {
         name: "the glitter of a ball in the sun",
-        scene: { paint: "metallic-silver", shape: "ball", light: "sun", size: 96 },
+        scene: { paint: "flat metallic-silver", shape: "ball", light: "sun", size: 96 },
         samples: 24,
         correlation: 0.65,
         shared: 0.5,

@@ -5,7 +5,8 @@ import { readPaint } from "../src/renderer/paint";
 import type { PaintShader } from "../src/renderer/paint";
 import type { Schema } from "../src/schema";
 import { unpack } from "../src/session";
-import type { Table } from "../src/tree";
+import { get, set } from "../src/tree";
+import type { Path, Table } from "../src/tree";
 
 /** The answer of a type to one message, with its arrays; errors are thrown. */
 export function asked(fields: object, type: string): Promise<[Message, Attachment[]]> {
@@ -44,12 +45,21 @@ export async function api(path: string): Promise<Response> {
 
 export const schema = async () => (await (await api("schema")).json()) as Schema;
 
-/** The tree of a paint that ships. */
+/** The tree of a paint that ships; of "flat NAME" with flakes that lie as its pieces do and are not wavy. */
 export async function recipeOf(name: string): Promise<Table> {
-    const paint = (await schema()).paints.find((known) => known.name === name);
-    if (paint === undefined) throw new Error(`there is no paint ${name}`);
+    const shipped = name.replace(/^flat /, "");
+    const paint = (await schema()).paints.find((known) => known.name === shipped);
+    if (paint === undefined) throw new Error(`there is no paint ${shipped}`);
     const [opened] = await asked({ type: "open", toml: paint.toml }, "recipe");
-    return opened.tree as Table;
+    const tree = opened.tree as Table;
+    if (shipped === name) return tree;
+    const flakes: Path = ["layer", 0, "flakes", 0];
+    const alpha: Path = [...flakes, "orientation", "alpha"];
+    const slopes = Math.hypot(
+        get(tree, alpha) as number,
+        get(tree, [...flakes, "waviness"]) as number,
+    );
+    return set(set(tree, alpha, slopes), [...flakes, "waviness"], undefined);
 }
 
 /** @param change  of the paint's recipe, before it is asked for */
