@@ -52,8 +52,8 @@ std::vector<Series> series_of(bool quick) {
                                 "Volume fraction of the flakes",
                                 "volume fraction",
                                 true,
-                                {0.0002, 0.001, 0.005, 0.02, 0.075},
-                                {0.0002, 0.005, 0.075}},
+                                {0.0001, 0.0003, 0.001, 0.003, 0.01},
+                                {0.0001, 0.001, 0.01}},
                                {FlakeParameter::orientation,
                                 "orientation",
                                 "How the flakes lie",
@@ -265,10 +265,10 @@ class Study {
         report_.bullets(reasons_);
         report_.paragraph(
             "A trend holds if the last panel differs from the first by four standard errors and "
-            "more, and no step goes against it by three. Spots become fewer with the fourth power "
-            "of the diameter where they lie apart: fewer flakes, of which each answers more "
-            "rarely. Small ones lie so close that the eye blurs them into a sheen, and their "
-            "number levels off.");
+            "more, and no step goes against it by three. Flakes that flash close together are "
+            "blurred into a sheen by the eye: of small ones few spots stand out, and of more than "
+            "the largest volume shown fewer again. Large ones are few themselves, which shows first "
+            "under 75 degrees.");
     }
 
     void add_paints() {
