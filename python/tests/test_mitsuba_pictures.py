@@ -346,7 +346,10 @@ def test_flakes_lie_and_sparkle_as_in_nacre(paints: Path, tmp_path: Path) -> Non
     seeds = 4
     camera = Camera(position_mm=(0, 0, 300), up=(0, 1, 0), fov_deg=0.25)
     parts = [panel(100), lamp((0, -212, 566), 84, 20)]
-    flat = {"waviness": 0.001, "orientation.alpha": 0.16}  # sparkles more than the wavy ones shipped
+    flat = {
+        "waviness": 0.001,
+        "orientation.alpha": 0.16,
+    }  # sparkles more than the wavy ones shipped
     paint = nacre.Paint(paints / "metallic-silver.toml").with_values(flat)
     scene = in_nacre(tmp_path / "scene.toml", camera, *parts, specimen=2)
     loaded = in_mitsuba(paint, camera.mitsuba(film(), 256), *parts, specimen=2)

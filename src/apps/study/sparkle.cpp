@@ -267,7 +267,8 @@ class Study {
             "A trend holds if the last panel differs from the first by four standard errors and "
             "more, and no step goes against it by three. Flakes that flash close together are "
             "blurred into a sheen by the eye: of small ones few spots stand out, and of more than "
-            "the largest volume shown fewer again. Large ones are few themselves, which shows first "
+            "the largest volume shown fewer again. Large ones are few themselves, which shows "
+            "first "
             "under 75 degrees.");
     }
 

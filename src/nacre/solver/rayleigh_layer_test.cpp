@@ -101,10 +101,10 @@ TEST(RayleighLayer, TheClosedFormReturnsAllLight) {
 TEST(RayleighLayer, OfMieParticlesIsTheClosedForm) {
     // Of 10 nm the mean cosine, 6e-4, already shows: the first order is 3 % smaller at 75 and 80 deg.
     constexpr double kDiameter_nm = 4, kVolume = 0.5, kThickness_um = 1e6, kError = 1e-4;
-    paint::Pigment pigment{paint::PigmentParticles{
-        paint::PigmentVolume{kVolume}, {.material = optics::Material(1.5),
-                                        .diameter_nm = kDiameter_nm,
-                                        .crowding = optics::Crowding::independent}}};
+    paint::Pigment pigment{paint::PigmentParticles{paint::PigmentVolume{kVolume},
+                                                   {.material = optics::Material(1.5),
+                                                    .diameter_nm = kDiameter_nm,
+                                                    .crowding = optics::Crowding::independent}}};
     const SolvedPaint paint =
         solve(nacre::test::paint_of(1, {{kThickness_um, {}, {pigment}}}, 1.0), {550});
     const RayleighHalfSpace half_space;
