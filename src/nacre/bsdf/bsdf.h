@@ -67,7 +67,7 @@ inline float power_heuristic(float own, float other) {
 /// A flake of a patch, asked where the light that it reflects comes from (BoundBsdf::ask_flakes).
 struct AskedFlake {
     Vec3f wo;            ///< a direction out of its lobe
-    float pdf = 0;       ///< density per solid angle of wo, for this flake alone
+    float pdf = 0;       ///< directions of this flake in all, per solid angle at wo
     float strength = 0;  ///< roughly what it reflects of light from wo, to choose among flakes by
     int species = 0, flake = 0;
 };
@@ -202,8 +202,9 @@ class BoundBsdf {
     virtual float narrow_light(Vec3f /*wi*/) const {
         return std::numeric_limits<float>::infinity();
     }
-    /// Asks the flakes of a patch, each once: draws a direction out of the lobe of each, with 32
-    /// random bits, for a list that is written anew.
+    /// Asks the flakes of a patch: draws a direction out of the lobe of each, or several out of a wide
+    /// one, with 32 random bits, for a list that is written anew. The sum of flake_weight() times
+    /// the light from wo over the list estimates what the flakes reflect.
     virtual void ask_flakes(const Patch&, Vec3f /*wi*/, std::uint32_t /*random*/,
                             std::vector<AskedFlake>& list) const {
         list.clear();

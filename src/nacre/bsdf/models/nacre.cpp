@@ -32,6 +32,17 @@ sparkle::FlakePopulation population_of(const paint::FlakeSpecies& species,
     return out;
 }
 
+// A lamp meets the lobe of diffraction or does not, which is the flake's own contrast. Of a lobe that
+// waviness or a rough coat widens it lights a part, and one direction would tell as little of it as the
+// toss of a coin: as many are asked as the lobe is larger in area, up to a bound.
+int asked_directions(const sparkle::FlakeField& field) {
+    constexpr float kMax = 8;
+    const sparkle::DiffractionLobe& lobe = field.lobe();
+    const auto radius = static_cast<float>(lobe.radius(field.population().diameter_um));
+    const float wider = lobe.coat_radius2(lobe.spread2(lobe.coat().spread2(1.0f, 1.0f)));
+    return static_cast<int>(std::min(1 + wider / (radius * radius), kMax));
+}
+
 // cos(w_i.h) of any two directions that the interface lets through, each within the critical angle.
 double min_half_cosine(double ior) { return std::sqrt(std::max(0.0, 1 - 1 / (ior * ior))); }
 
@@ -107,7 +118,8 @@ std::vector<NacreSpecies> nacre_species(const Microflake::Tables& tables, std::u
             }
             known.push_back(&flake);
             const std::size_t s = species.size();
-            species.push_back({std::move(fields[s]), std::move(films), fractions[s]});
+            const int directions = asked_directions(fields[s]);
+            species.push_back({std::move(fields[s]), std::move(films), fractions[s], directions});
         }
     }
     return species;

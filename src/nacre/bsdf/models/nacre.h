@@ -78,6 +78,7 @@ struct NacreSpecies {
     sparkle::FlakeField field;
     std::shared_ptr<const FlakeFilms> films;  ///< null: all alike
     float fraction;  ///< flake_fractions(): the probability with which its flakes are sampled
+    int directions;  ///< in which each flake is asked for light
 };
 /// How finely to tabulate the films of single flakes.
 struct FlakeFilmGrid {
@@ -174,7 +175,7 @@ class BoundNacre final : public BoundMicroflake {
     // Per solid angle outside, of directions spread over the lobe of a typical flake that mirrors
     // wi upwards.
     float slope_density(std::size_t species, Vec3f wi) const;
-    // Per solid angle outside, of the direction that ask_flakes() draws for the flake.
+    // Number per solid angle outside of the directions that ask_flakes() draws for the flake.
     float flake_pdf(const sparkle::FlakeView& view, std::size_t species, int flake, const Ray& i,
                     const Ray& o) const;
     FloatLanes mean_value(const Ray& i, const Ray& o) const;

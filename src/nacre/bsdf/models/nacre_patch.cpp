@@ -216,7 +216,8 @@ float BoundNacre::slope_density(std::size_t species, Vec3f wi) const {
 float BoundNacre::narrow_light(Vec3f wi) const {
     float narrowest = 0;
     for (std::size_t s = 0; s < tables_->species.size(); ++s) {
-        narrowest = std::max(narrowest, slope_density(s, wi));
+        narrowest = std::max(narrowest, static_cast<float>(tables_->species[s].directions) *
+                                            slope_density(s, wi));
     }
     return narrowest > 0 ? narrowest : std::numeric_limits<float>::infinity();
 }
@@ -372,34 +373,39 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
         const sparkle::FlakeView& view = look[s];
         const NacreSpecies& species = tables_->species[s];
         const FloatLanes depth = splat(typical_depth(layer, i));
+        const auto directions = static_cast<float>(species.directions);
         for (int first = 0; first < view.count; first += kLanes) {
-            const auto bits = hash_of(random, s, first);
-            const UintLanes lanes = static_cast<std::uint32_t>(bits) +
-                                    kNumber * (static_cast<std::uint32_t>(bits >> 32) | 1u);
-            const auto half = view.sample_lobes(species.field.lobe(), i.inside, first, lanes);
-            // The mirror image of w_i in a plane of this slope, and its refraction out.
-            const FloatLanes sec2 = 1.0f + half.x * half.x + half.y * half.y;
-            const FloatLanes twice =
-                2.0f * (i.inside.x * half.x + i.inside.y * half.y + i.inside.z) / sec2;
-            const FloatLanes x = twice * half.x - i.inside.x, y = twice * half.y - i.inside.y;
-            const FloatLanes z = twice - i.inside.z;
-            const FloatLanes ox = mean_ior() * x, oy = mean_ior() * y;
-            const FloatLanes oz2 = 1.0f - ox * ox - oy * oy;
-            const FloatLanes oz = sqrt_lanes(max_lanes(oz2, FloatLanes{}));
-            // sec^3 / (4 w_i.h): area of slopes per solid angle of w_o; then per that outside.
-            const FloatLanes pdf =
-                half.pdf * (0.5f * sec2 / (i.inside.z + z)) * oz / (z * (mean_ior() * mean_ior()));
-            const FloatLanes strength = species.fraction * load_lanes(&view.weight[first]) *
+            const FloatLanes strength = species.fraction / directions *
+                                        load_lanes(&view.weight[first]) *
                                         exp_lanes(-view.depths(first) * depth);
-            const auto leaves = (oz2 > 1e-6f) & (z > 0.0f) & (pdf > 0.0f) & (strength > 0.0f);
             const int last = std::min(kLanes, view.count - first);
-            for (int lane = 0; lane < last; ++lane) {
-                if (!leaves[lane]) continue;
-                list.push_back({{ox[lane], oy[lane], oz[lane]},
-                                pdf[lane],
-                                strength[lane],
-                                static_cast<int>(s),
-                                first + lane});
+            for (int direction = 0; direction < species.directions; ++direction) {
+                const auto bits = hash_of(random, s, first + direction * view.count);
+                const UintLanes lanes = static_cast<std::uint32_t>(bits) +
+                                        kNumber * (static_cast<std::uint32_t>(bits >> 32) | 1u);
+                const auto half = view.sample_lobes(species.field.lobe(), i.inside, first, lanes);
+                // The mirror image of w_i in a plane of this slope, and its refraction out.
+                const FloatLanes sec2 = 1.0f + half.x * half.x + half.y * half.y;
+                const FloatLanes twice =
+                    2.0f * (i.inside.x * half.x + i.inside.y * half.y + i.inside.z) / sec2;
+                const FloatLanes x = twice * half.x - i.inside.x, y = twice * half.y - i.inside.y;
+                const FloatLanes z = twice - i.inside.z;
+                const FloatLanes ox = mean_ior() * x, oy = mean_ior() * y;
+                const FloatLanes oz2 = 1.0f - ox * ox - oy * oy;
+                const FloatLanes oz = sqrt_lanes(max_lanes(oz2, FloatLanes{}));
+                // sec^3 / (4 w_i.h): area of slopes per solid angle of w_o; then per that outside.
+                const FloatLanes pdf = directions * half.pdf * (0.5f * sec2 / (i.inside.z + z)) *
+                                       oz / (z * (mean_ior() * mean_ior()));
+                const auto leaves =
+                    (oz2 > 1e-6f) & (z > 0.0f) & (pdf > 0.0f) & (strength > 0.0f);
+                for (int lane = 0; lane < last; ++lane) {
+                    if (!leaves[lane]) continue;
+                    list.push_back({{ox[lane], oy[lane], oz[lane]},
+                                    pdf[lane],
+                                    strength[lane],
+                                    static_cast<int>(s),
+                                    first + lane});
+                }
             }
         }
     }
@@ -408,8 +414,10 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
 float BoundNacre::flake_pdf(const sparkle::FlakeView& view, std::size_t species, int flake,
                             const Ray& i, const Ray& o) const {
     const HalfVector half(i, o, coat());
-    return view.lobe_pdf(tables_->species[species].field.lobe(), i.inside, flake, half.slope) *
-           half.per_solid_angle * solid_angle_ratio(o);
+    const NacreSpecies& by = tables_->species[species];
+    return static_cast<float>(by.directions) *
+           view.lobe_pdf(by.field.lobe(), i.inside, flake, half.slope) * half.per_solid_angle *
+           solid_angle_ratio(o);
 }
 
 FloatLanes BoundNacre::flake_weight(const Patch& patch, Vec3f wi, const AskedFlake& asked) const {
