@@ -40,6 +40,15 @@ for paint in aluminium-corn-flake aluminium-silver-dollar; do
 done
 montage "${tiles[@]}" -tile 2x1 -geometry 240x240+4+4 docs/images/corn-flake-silver-dollar.png
 
+printf 'liquid-metal-chrome.png\n' >&2
+tiles=()
+for paint in aluminium-pvd aluminium-pvd-chrome; do
+    "$nacre" render sphere --paint "paints/effect-pigments/$paint.toml" --model microflake \
+        --size 240x240 --spp 512 --quiet -o "$scratch/$paint.exr"
+    tiles+=("$scratch/$paint.png")
+done
+montage "${tiles[@]}" -tile 2x1 -geometry 240x240+4+4 docs/images/liquid-metal-chrome.png
+
 printf 'nacre.png\n' >&2
 tiles=()
 for scene in macro panel-sun sphere; do

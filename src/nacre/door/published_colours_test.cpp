@@ -80,17 +80,36 @@ TEST(PublishedColours, FlopIndicesAreThoseOfSolidAndOfSprayedEffectPaints) {
     for (const char* name : {"white", "tinted-grey", "red-oxide", "solid-red"}) {
         EXPECT_LT(flop(shipped(name)), 0.5) << name;  // "0 for a solid colour"
     }
-    for (const char* name :
-         {"metallic-silver", "satin-silver", "blue-metallic", "black-pearl",
-          "effect-pigments/aluminium-corn-flake", "effect-pigments/aluminium-silver-dollar",
-          "effect-pigments/bronze", "effect-pigments/pearl-gold", "effect-pigments/pearl-blue",
-          "effect-pigments/alumina-white", "effect-pigments/glass-flake",
-          "effect-pigments/silica-colour-travel", "effect-pigments/chromium-colour-shift",
-          "effect-pigments/iron-oxide-colour-travel"}) {
+    for (const char* name : {"metallic-silver",
+                             "satin-silver",
+                             "blue-metallic",
+                             "black-pearl",
+                             "effect-pigments/aluminium-corn-flake",
+                             "effect-pigments/aluminium-silver-dollar",
+                             "effect-pigments/bronze",
+                             "effect-pigments/pearl-silver-white",
+                             "effect-pigments/pearl-gold",
+                             "effect-pigments/pearl-blue",
+                             "effect-pigments/pearl-green",
+                             "effect-pigments/pearl-bronze",
+                             "effect-pigments/pearl-combination-gold",
+                             "effect-pigments/synthetic-mica-blue",
+                             "effect-pigments/alumina-white",
+                             "effect-pigments/glass-flake",
+                             "effect-pigments/silver-glass-flake",
+                             "effect-pigments/bismuth-oxychloride",
+                             "effect-pigments/graphite",
+                             "effect-pigments/silica-colour-travel",
+                             "effect-pigments/chromium-colour-shift",
+                             "effect-pigments/iron-oxide-colour-travel"}) {
         const double index = flop(shipped(name));
         EXPECT_GT(index, 10) << name;
         EXPECT_LT(index, kHighest) << name;
     }
+    // "High travel" [sun-chemical-2026]: beyond the sprayed ones, by as much as another very high flop at most.
+    const double pvd = flop(shipped("effect-pigments/aluminium-pvd"));
+    EXPECT_GT(pvd, kHighest);
+    EXPECT_LT(pvd, 2 * kVeryHighFlop);
 }
 
 // These lie flatter than a gun leaves flakes, by the comparison that they belong to or so that their
@@ -134,6 +153,74 @@ TEST(PublishedColours, AluminiumIsBrighterAndFlopsMoreTheCoarserAndRounderItIs) 
     }
 }
 
+/// Reflectance factors at 550 nm.
+std::vector<double> at_550_nm(const std::string& recipe, const std::string& where) {
+    std::vector<double> factors;
+    const Readings read =
+        shipped(recipe).measure(geometries(where), {.wavelengths_nm = {550, 600}});
+    for (const measure::Reading& r : read.measurement.readings) {
+        factors.push_back(r.reflectance_factor[0]);
+    }
+    return factors;
+}
+
+// "Mirror, liquid metal or chrome-like", of "strong image clarity combined with high travel"
+// [sun-chemical-2026]. Liquid metal has light from ten degrees about the mirror direction in one patch.
+// The mirror tells it from what lies ten degrees further, and turns black.
+TEST(PublishedColours, FlakesFromAVacuumAreLiquidMetalOrChrome) {
+    const std::string where = "45as2,45as10,45as15,45as45";
+    const std::vector<double> liquid = at_550_nm("effect-pigments/aluminium-pvd", where);
+    EXPECT_GT(liquid[1], 0.5 * liquid[0]);
+    const std::vector<double> chrome = at_550_nm("effect-pigments/aluminium-pvd-chrome", where);
+    EXPECT_LT(chrome[1], 0.2 * chrome[0]);
+    EXPECT_GT(chrome[0], 5 * liquid[0]);
+    EXPECT_GT(chrome[2], 0.5);
+    EXPECT_LT(chrome[3], 0.005);
+    EXPECT_LT(chrome[3], 0.05 * liquid[3]);
+}
+
+// The lobe of the mirror is the narrowest that ships, hence the hardest to solve: against random walks,
+// within four of their standard errors, besides the 1e-5 of the peak by which the tail may be off
+// (docs/solver.md, alpha = 0.02 to 0.05).
+TEST(PublishedColours, TheMirrorIsWhatWalksFind) {
+    const Paint chrome = shipped("effect-pigments/aluminium-pvd-chrome");
+    const std::vector<Geometry> where =
+        geometries("45as2,45as5,45as10,45as15,45as25,45as45,70as15");
+    const std::vector<double> wavelengths = {450, 650};
+    const Readings walks = chrome.measure(where, {.model = WalkModel{},
+                                                  .wavelengths_nm = wavelengths,
+                                                  .walks = std::uint64_t{1} << 17,
+                                                  .seed = 45});
+    const Measurement solved = chrome.measure(where, {.wavelengths_nm = wavelengths}).measurement;
+    const double peak = solved.readings[0].reflectance_factor[0];
+    ASSERT_EQ(walks.standard_error.size(), where.size());
+    for (std::size_t i = 0; i < where.size(); ++i) {
+        for (std::size_t k = 0; k < wavelengths.size(); ++k) {
+            EXPECT_NEAR(solved.readings[i].reflectance_factor[k],
+                        walks.measurement.readings[i].reflectance_factor[k],
+                        4 * walks.standard_error[i][k] + 1e-5 * peak)
+                << i << " " << wavelengths[k];
+        }
+    }
+}
+
+// Graphite and micaceous iron oxide are grey with a metallic sheen [micaceous-haematite-2026], darker than
+// any metal; silvered glass is the brightest of what glitters.
+TEST(PublishedColours, MineralsAreDarkGreyMetalsAndSilveredGlassIsBright) {
+    const Look metal = look(shipped("effect-pigments/aluminium-corn-flake"), "45as15");
+    for (const char* name : {"effect-pigments/graphite", "effect-pigments/micaceous-iron-oxide"}) {
+        const Paint mineral = shipped(name);
+        const std::vector<Look> seen = looks(readings(mineral, "45as15,45as45"));
+        for (const Look& at : seen) EXPECT_EQ(at.family(), "N") << name;
+        EXPECT_LT(seen[0].lightness, metal.lightness - 30) << name;
+        EXPECT_GT(flop(mineral), 5) << name;
+    }
+    const Look silvered = look(shipped("effect-pigments/silver-glass-flake"), "45as15");
+    EXPECT_GT(silvered.lightness,
+              look(shipped("effect-pigments/glass-flake"), "45as15").lightness + 10);
+    EXPECT_LT(silvered.chroma, 3);
+}
+
 // Colours by the names that makers give them, near the gloss. [perales-2011] found lightnesses above 100
 // among 91 such samples; so have the brightest of these.
 TEST(PublishedColours, PearlsHaveTheHuesOfTheirNames) {
@@ -145,9 +232,10 @@ TEST(PublishedColours, PearlsHaveTheHuesOfTheirNames) {
     for (const Named& named :
          {Named{"pearl-silver-white", "N"}, Named{"pearl-gold", "Y"}, Named{"pearl-blue", "PB"},
           Named{"pearl-green", "G"}, Named{"pearl-bronze", "YR"},
-          Named{"synthetic-mica-blue", "PB"}, Named{"alumina-white", "N"},
-          Named{"glass-flake", "N"}, Named{"bronze", "Y"}, Named{"aluminium-silver-dollar", "N"},
-          Named{"aluminium-pvd", "N"}}) {
+          Named{"pearl-combination-gold", "Y"}, Named{"synthetic-mica-blue", "PB"},
+          Named{"alumina-white", "N"}, Named{"glass-flake", "N"}, Named{"bronze", "Y"},
+          Named{"aluminium-silver-dollar", "N"}, Named{"silver-glass-flake", "N"},
+          Named{"aluminium-pvd", "N"}, Named{"aluminium-pvd-chrome", "N"}}) {
         const Look seen = look(shipped(fmt::format("effect-pigments/{}", named.recipe)), "45as15");
         EXPECT_EQ(seen.family(), named.family) << named.recipe << " " << seen.hue_deg;
         brighter_than_white += seen.lightness > 100;
@@ -164,6 +252,14 @@ TEST(PublishedColours, OverWhitePearlsTurnToTheComplementaryColour) {
         const double apart = std::abs(std::remainder(seen[1].hue_deg - seen[0].hue_deg, 360));
         EXPECT_GT(apart, 150) << name;
         EXPECT_GT(seen[1].chroma, 8) << name;
+    }
+    // Where iron oxide absorbs what the titania does not reflect, gold stays between yellow and bronze.
+    const Paint both =
+        shipped("effect-pigments/pearl-combination-gold").with("substrate.reflectance", 0.9);
+    for (const Look& seen : looks(readings(both))) {
+        EXPECT_GT(seen.hue_deg, kFamilies[0].end_deg);
+        EXPECT_LT(seen.hue_deg, kFamilies[2].end_deg);
+        EXPECT_GT(seen.chroma, 30);
     }
 }
 
