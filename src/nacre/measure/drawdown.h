@@ -11,7 +11,7 @@
 
 namespace nacre::measure {
 
-/// How a drawdown was read.
+/// How a drawdown was read, by the geometries of the CIE.                       [cie-15-2018]
 enum class DrawdownGeometry {
     diffuse_8_included,  ///< an integrating sphere and 8 deg, the gloss included (di:8, SCI)
     diffuse_8_excluded,  ///< the same without the gloss (de:8, SCE)

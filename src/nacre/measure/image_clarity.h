@@ -11,6 +11,11 @@ namespace nacre::measure {
 /// far away to see them. A facet of slope s turns the mirrored ray by 2 s in the plane of incidence,
 /// at any angle, and slopes are normal: the grille is blurred by a normal law of deviation 2 sigma.
 ///
+/// Derived here from the law of reflection; a definition of this project, on no scale of the trade, whose
+/// instruments have slits and combs. Slopes are normal as those of a sum of many waves are [rice-1945];
+/// of higher order in the slope, s^2, nothing is kept, nor diffraction. Two series for the
+/// same, each where it converges: the error is that of rounding.
+///
 /// @param slope       root mean square along a line (paint::OrangePeel::slope), >= 0
 /// @param period_deg  of the grille, a bright and a dark bar, as the coat's place sees it; > 0
 double grille_contrast(double slope, double period_deg);

@@ -24,6 +24,7 @@ const std::array<double, PhaseFunction::kIntervals + 1>& node_cosines() {
     return cosines;
 }
 
+// By Bonnet's recurrence of Legendre polynomials, from degree 0 up.      [abramowitz-stegun-1964, 8.5.3]
 double sum_series(const std::vector<double>& series, double cosine) {
     double sum = 0, p = 1, before = 0;
     for (std::size_t n = 0; n < series.size(); ++n) {
@@ -68,6 +69,7 @@ PhaseFunction PhaseFunction::at(const std::vector<int>& wavelengths) const {
     return PhaseFunction(std::move(some));
 }
 
+// chi_n = g^n is the series of [henyey-greenstein-1941]. What matters, 1e-5, is a choice.
 double PhaseFunction::sharpness() const {
     constexpr double kMatters = 1e-5;
     double g = 0;

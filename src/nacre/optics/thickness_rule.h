@@ -6,7 +6,8 @@
 #include "nacre/optics/thin_film.h"
 
 // Quadrature over the law of a film's thickness. Weights add up to 1: they are the law, cut at
-// three deviations (normal) and at zero thickness, renormalised.
+// three deviations (normal) and at zero thickness, renormalised. Normal and uniform laws, and the cut,
+// which leaves out 0.27 %, are choices of this project: makers state at most a spread.
 
 namespace nacre::optics {
 

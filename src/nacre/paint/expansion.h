@@ -9,14 +9,15 @@ namespace nacre::paint {
 /// that becomes several of them:
 ///
 /// - a law of slopes other than Beckmann's: a species for each component (orientation.h);
-/// - alpha that changes with depth: sublayers;
+/// - alpha that changes with depth: sublayers. That it is linear in depth is a choice of this project;
 /// - d10, d50, d90: a species for each part of the sizes (flake_sizes.h);
 /// - a coat on one side: half of the flakes lie with it up, half with it down. Light does not tell
 ///   which flake it meets, so that two species, each with the optics of one face on both sides, are
 ///   the same paint in the equation of transfer; light that meets one and the same flake twice would
-///   see the difference;
+///   see the difference. That as many lie either way is a choice;
 /// - an edge: the disc within it, and a pigment that scatters evenly in all directions, without
-///   absorbing, with the cross section of the rim face on.
+///   absorbing, with the cross section of the rim face on. No theory of edges is behind that, and no
+///   error can be given: it is a choice of this project, with a width to be fitted (docs/flakes.md).
 ///
 /// A recipe without any of these is returned as it is; so is one that has been expanded.
 ///                                                                       [docs/flakes.md]

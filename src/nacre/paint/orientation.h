@@ -7,6 +7,10 @@
 // Laws of flake normals as mixtures of Beckmann's, which is what the solver, the walks and the
 // models of single flakes know. A mixture is exact for all of them: flakes of several alphas lie
 // beside each other.
+//
+// Gaussian slopes of flakes are those of [ergun-2016]; GGX is the other law that microfacets have
+// [walter-2007, eq. 33]. That flakes in a sprayed film follow one of them is an assumption: no
+// measured law could be cited, which is why a table may be stated.
 
 namespace nacre::paint {
 
@@ -16,8 +20,8 @@ struct SlopeComponent {
     double alpha = 0.1;
 };
 
-/// GGX as a mixture: its density of slopes is the mean of Beckmann's over 1/a^2 = tau / alpha^2, tau
-/// with the law exp(-tau),
+/// GGX as a mixture, derived here: its density of slopes [walter-2007, eq. 33 times cos^4] is the mean of
+/// Beckmann's over 1/a^2 = tau / alpha^2, tau with the law exp(-tau),
 ///
 ///     Int_0^inf exp(-tau) tau / (pi alpha^2) exp(-tau s^2/alpha^2) dtau
 ///         = 1 / (pi alpha^2) (1 + s^2/alpha^2)^-2,
@@ -30,8 +34,9 @@ std::vector<SlopeComponent> ggx_mixture(double alpha);
 inline constexpr double kGgxError = 0.012, kWideGgxError = 0.035;
 inline constexpr double kGgxSlope = 0.25;  ///< up to this slope, 14 deg
 
-/// The mixture nearest to a measured law in likelihood, and the largest difference between their
-/// cumulative laws.
+/// The mixture nearest to a measured law in likelihood [dempster-laird-rubin-1977], and the largest
+/// difference between their cumulative laws. That a law is such a mixture is a choice, and what is not
+/// is refused.
 struct TiltFit {
     std::vector<SlopeComponent> components;
     double residual = 0;

@@ -6,7 +6,7 @@
 #include "nacre/paint/recipe.h"
 
 // What can be computed and is hardly a paint: a slip of the unit or of the decimal point, which no
-// range refuses since studies need the room.
+// range refuses since studies need the room. Limits without a source are choices of this project.
 
 namespace nacre::paint {
 

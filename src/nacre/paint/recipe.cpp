@@ -265,6 +265,9 @@ double volume_fraction(const PigmentAmount& amount) {
     return std::get<PigmentVolume>(amount).fraction;
 }
 
+// K is that of diffuse light, which goes twice as far as its layer is thick [kubelka-munk-1931]. S makes two
+// fluxes decay with depth as in the diffusion limit of the equation of transfer, derived here: K (K + 2 S) there
+// is 3 sigma_a (1 - g) sigma_s where K << S. The error is of the order of K / S.
 PigmentCoefficients PigmentKubelkaMunk::coefficients() const {
     return {scaled(constants.scattering_per_mm, 4.0 / 3 / (1 - anisotropy)),
             scaled(constants.absorption_per_mm, 0.5), anisotropy, amount};

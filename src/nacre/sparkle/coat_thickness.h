@@ -15,8 +15,10 @@ namespace nacre::sparkle {
 ///
 /// of wavelengths kWavelengths_mm (sparkle/plane_waves.h), of the same slope in each octave as those of an
 /// orange peel: mean 0 and variance 1 exactly, over all places and on the mean of all specimens, and a
-/// nearly normal law. It is cut off at 3 (paint::limits::kMaxCoatDeviation), beyond which 0.27 % of a
-/// normal law lies, which takes 0.5 % of its variance.
+/// nearly normal law, as of noise that is a sum of sinusoids of random phase [rice-1945]. The law and the
+/// slopes are choices of this project: no measured spectrum of mottling could be cited. The law is cut off
+/// at 3 (paint::limits::kMaxCoatDeviation), beyond which 0.27 % of a normal law lies, which takes 0.5 % of
+/// its variance.
 class CoatThickness {
  public:
     /// A choice: clouds of some centimetres, as people call mottling.

@@ -24,6 +24,9 @@ namespace nacre::sparkle {
 ///
 /// ((n-1)/n)^2 alpha_c^2 / 2 near the normal. That facets which face the light are met more often,
 /// and slopes of the second order, are left out.
+///
+/// Derived here: the vector form of Snell's law is [born-wolf-1999, 3.2.2], the law of the facets'
+/// slopes Beckmann's [walter-2007, eq. 25]. For the error see separation(), and docs/nacre-model.md.
 class CoatTilt {
  public:
     CoatTilt() = default;  ///< of a smooth coat: none

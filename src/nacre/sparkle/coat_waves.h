@@ -26,6 +26,10 @@ namespace nacre::sparkle {
 /// there than its upper end, nearly all of that within a factor of two.
 ///
 /// Slopes are small: the height moves no point of the surface, and what a wave hides is not hidden.
+///
+/// That heights are a sum of waves of random phase, as noise is [rice-1945], alike in all directions and of
+/// the same slope in each octave of a band, is a choice of this project: profiles of coats, and how
+/// instruments weigh the bands, are not public.
 class CoatWaves {
  public:
     /// @param seed  the specimen
