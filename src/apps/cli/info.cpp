@@ -132,8 +132,9 @@ void describe_recipe(Facts& facts, const paint::Recipe& recipe) {
             bands += fmt::format("{} {}, ", band.key, *peel.*band.slope);
         }
         facts.add("orange peel", "{}slope of all {:.4g}", bands, peel->slope());
+        const double facets = recipe.clearcoat->roughness / std::numbers::sqrt2;
         facts.add("image clarity", "a mirrored grille of {:.3g} deg keeps half its contrast",
-                  measure::half_contrast_period_deg(peel->slope()));
+                  measure::half_contrast_period_deg(std::hypot(peel->slope(), facets)));
     }
     for (std::size_t i = 0; i < recipe.layers.size(); ++i) {
         const paint::Layer& layer = recipe.layers[i];

@@ -95,6 +95,11 @@ json json_of(const std::optional<Estimate>& estimate, double scale = 1) {
             {"standard_error", scale * estimate->standard_error}};
 }
 
+/// Whether the panel that is seen is of another thickness at each place than the camera takes it for.
+bool has_spread(const Paint& paint) {
+    return paint.has_recipe() && paint.recipe().coat_spread() > 0;
+}
+
 json json_of(const SparkleOptions& options, const Paint& paint,
              const measure::SparkleMeasurement& measurement) {
     const measure::SparkleCamera& camera = options.camera;
@@ -125,6 +130,7 @@ json json_of(const SparkleOptions& options, const Paint& paint,
             {"recipe_sha256", paint.recipe_sha256()},
             {"model", options.model.model},
             {"seed", options.seed},
+            {"of_mean_coat_thickness", has_spread(paint)},
             {"pixel_um", camera.pixel_um},
             {"field_mm", camera.field_mm},
             {"lamp_half_angle_deg", camera.lamp_half_angle_deg},
@@ -194,6 +200,12 @@ Seen see(const SparkleOptions& options, const Paint& paint, const bsdf::Model& m
         return paint.appearance(model, {}, bar.callback());
     }();
     say_warnings(options, paint);
+    if (paint.has_recipe() && paint.recipe().orange_peel() && !look->coat_waves()) {
+        say(options,
+            fmt::format("nacre: note: {}: clearcoat.orange_peel: {} shows a flat coat; only "
+                        "nacre and microflake show its waves",
+                        paint.name(), model.info().name));
+    }
     Seen seen{.paint = paint, .pictures = {}, .measurement = {}, .prepare_s = watch.seconds()};
     ProgressBar bar("sparkle", options.quiet);
     seen.pictures = measure::take_pictures(*look, options.camera, bar.callback());
@@ -204,6 +216,12 @@ Seen see(const SparkleOptions& options, const Paint& paint, const bsdf::Model& m
 }
 
 void say_doubts(const SparkleOptions& options, const Seen& seen) {
+    if (has_spread(seen.paint)) {
+        say(options,
+            fmt::format("nacre: note: {}: clearcoat.thickness_spread_um = {}: the camera sees "
+                        "the mean thickness everywhere",
+                        seen.paint.name(), seen.paint.recipe().clearcoat->thickness_spread_um));
+    }
     if (!seen.pictures.flakes_resolved) {
         say(options,
             "nacre: flakes lie in heaps too dense to be told apart; graininess is too large");
@@ -319,6 +337,7 @@ ExitStatus run(SparkleOptions options) {
                   {"versus", options.versus},
                   {"model", options.model.model},
                   {"seed", options.seed},
+                  {"of_mean_coat_thickness", has_spread(sample.paint)},
                   {"prepare_s", sample.prepare_s},
                   {"pictures_s", sample.pictures_s},
                   {"total_s", watch.seconds()}});

@@ -9,6 +9,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 const char* const kSmallField = "sparkle gray.toml --field 2 --diffuse-samples 4 ";
@@ -47,6 +48,42 @@ TEST_F(Program, SparkleWritesJsonAndPictures) {
         EXPECT_TRUE(exists(std::string("seen/") + name + ".exr")) << name;
     }
     EXPECT_EQ(nlohmann::json::parse(contents(folder_ / "r.json"))["command"], "sparkle");
+}
+
+const char* const kCoated = R"(name = "Coated"
+ior = 1.5
+[clearcoat]
+thickness_um = 40
+absorption_per_mm = 2
+[[layer]]
+thickness_um = 15
+[[layer.flakes]]
+area_density_per_um = 0.1
+diameter_um = 20
+reflectance = 0.6
+transmittance = 0
+thickness_um = 0.3
+orientation = { distribution = "beckmann", alpha = 0.12 }
+)";
+
+TEST_F(Program, SparkleSeesWavesOfTheCoatAndSaysThatItSeesItsMeanThickness) {
+    write("coated.toml", kCoated);
+    const std::string small =
+        "sparkle coated.toml --field 2 --lamp 20 --diffuse-samples 0 --format json ";
+    const Outcome even = nacre(small);
+    ASSERT_EQ(even.status, 0) << even.err;
+    EXPECT_THAT(even.err, Not(HasSubstr("mean thickness")));
+    EXPECT_EQ(nlohmann::json::parse(even.out)["of_mean_coat_thickness"], false);
+    const Outcome uneven = nacre(small + "--set clearcoat.thickness_spread_um=4");
+    ASSERT_EQ(uneven.status, 0) << uneven.err;
+    EXPECT_THAT(uneven.err,
+                HasSubstr("clearcoat.thickness_spread_um = 4: the camera sees the mean"));
+    const auto json = nlohmann::json::parse(uneven.out);
+    EXPECT_EQ(json["of_mean_coat_thickness"], true);
+    EXPECT_EQ(json["readings"], nlohmann::json::parse(even.out)["readings"]);
+    const Outcome wavy = nacre(small + "--set clearcoat.orange_peel.wb=0.02");
+    ASSERT_EQ(wavy.status, 0) << wavy.err;
+    EXPECT_NE(nlohmann::json::parse(wavy.out)["readings"], json["readings"]);
 }
 
 TEST_F(Program, SparkleTakesTheModelSpecialEffect) {

@@ -23,6 +23,8 @@ class CoatWaves;
 
 namespace nacre::bsdf {
 
+class InterfaceLobe;
+
 using Wavelengths = std::array<double, kLanes>;  // nm
 
 /// What is known of how a sampled direction was drawn. It decides whether a renderer may weigh the
@@ -154,6 +156,11 @@ struct CoatChange {
     FloatLanes added{};               ///< for all other light
 };
 
+/// Numbers in [0, 1), from the first to before the second.
+struct UnitRange {
+    float from = 0, to = 0;
+};
+
 /// The coordinates by which a surface varies.
 enum class SurfaceCoordinates {
     none,                 ///< it does not vary
@@ -225,8 +232,16 @@ class BoundBsdf {
     /// Directional-hemispherical reflectance, specular lobe included.
     virtual FloatLanes albedo(Vec3f wi) const = 0;
 
-    /// Of surfaces whose interface may be tilted (TiltedCoat).
+    // Of surfaces whose interface may be tilted (TiltedCoat).
+
     virtual BinderIndex binder_index() const { return {}; }
+    /// Of a rough one, the lobe that is part of eval(); null of a smooth one. Valid as long as the surface.
+    virtual const InterfaceLobe* interface_lobe() const { return nullptr; }
+    /// The u_select for which sample_on() the patch, or sample() if it is null, draws from that lobe. The
+    /// width of the range is the probability of doing so, by which pdf() weighs the density of the lobe.
+    virtual UnitRange chooses_interface_lobe(const Patch* /*patch*/, Vec3f /*wi*/) const {
+        return {};
+    }
 
     // Of surfaces whose flakes may lean (LeaningFlakes).
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "nacre/bsdf/models/interface_lobe.h"
 #include "nacre/bsdf/warp.h"
 #include "nacre/optics/fresnel.h"
 
@@ -23,11 +24,15 @@ constexpr float kAround = 1 / 32.0f;
 }  // namespace
 
 TiltedCoat::TiltedCoat(const BoundBsdf& flat, Vec2f slope, Vec3f seen_from)
-    : flat_(flat), index_(flat.binder_index()), normal_(normalize(Vec3f{-slope.x, -slope.y, 1})) {
+    : flat_(flat),
+      lobe_(flat.interface_lobe()),
+      index_(flat.binder_index()),
+      normal_(normalize(Vec3f{-slope.x, -slope.y, 1})) {
     const float facing = dot(normal_, seen_from);
     if (seen_from.z > 0 && facing < kMinSeenCosine) {
         normal_ = normalize(normal_ + (kMinSeenCosine - facing) * seen_from);
     }
+    if (lobe_) frame_ = Frame::around(normal_);
 }
 
 std::optional<TiltedCoat::Ray> TiltedCoat::ray_of(Vec3f w) const {
@@ -60,6 +65,7 @@ std::optional<TiltedCoat::Ray> TiltedCoat::ray_of(Vec3f w) const {
 }
 
 FloatLanes TiltedCoat::transmittance(const Ray& ray) const {
+    if (lobe_) return lobe_->transmittance(ray.cosine) / lobe_->transmittance(ray.flat.z);
     const auto at = [&](float cosine) {
         return 1.0f - optics::dielectric_reflectance(splat(1.0f), index_.each, splat(cosine));
     };
@@ -80,35 +86,76 @@ std::optional<Vec3f> TiltedCoat::leave(Vec3f flat) const {
     return w;
 }
 
-float TiltedCoat::mixed_pdf(float flat_pdf, const Ray& o) const {
-    return (1 - kAround) * flat_pdf + kAround * std::numbers::inv_pi_v<float> * o.cosine;
+float TiltedCoat::mixed_pdf(float pdf, const Ray& o) const {
+    return (1 - kAround) * pdf + kAround * std::numbers::inv_pi_v<float> * o.cosine;
+}
+
+std::array<Vec3f, 2> TiltedCoat::turned_up(Vec3f wo) const {
+    return {frame_.to_local(wo), frame_.to_local({wo.x, wo.y, -wo.z})};
+}
+
+float TiltedCoat::chosen(const Patch* patch, const Ray& i) const {
+    if (!lobe_) return 0;
+    const UnitRange range = flat_.chooses_interface_lobe(patch, i.flat);
+    return range.to - range.from;
+}
+
+float TiltedCoat::density(Vec3f wi, const Ray& i, Vec3f wo, const Ray& o, float flat,
+                          float chosen) const {
+    if (!lobe_) return mixed_pdf(flat * o.jacobian, o);
+    const float others = std::max(flat - chosen * lobe_->pdf(i.flat, o.flat), 0.0f);
+    const auto [up, down] = turned_up(wo);
+    const Vec3f from = frame_.to_local(wi);
+    const float lobe = lobe_->pdf(from, up) + lobe_->pdf(from, down);
+    return mixed_pdf(others * o.jacobian + chosen * lobe, o);
+}
+
+FloatLanes TiltedCoat::value(Vec3f wi, const Ray& i, Vec3f wo, const Ray& o,
+                             const FloatLanes& flat) const {
+    if (!lobe_) return flat * transmittance(i) * transmittance(o) * o.irradiance;
+    const FloatLanes layers = max_lanes(flat - lobe_->eval(i.flat, o.flat), FloatLanes{});
+    const auto [up, down] = turned_up(wo);
+    const Vec3f from = frame_.to_local(wi);
+    const FloatLanes lobe = lobe_->eval(from, up) * up.z + lobe_->eval(from, down) * down.z;
+    return layers * transmittance(i) * transmittance(o) * o.irradiance + lobe * (1 / wo.z);
 }
 
 template <class Evaluate>
-BsdfValue TiltedCoat::evaluate_by(Vec3f wi, Vec3f wo, const Evaluate& evaluate) const {
+BsdfValue TiltedCoat::evaluate_by(const Patch* patch, Vec3f wi, Vec3f wo,
+                                  const Evaluate& evaluate) const {
     const auto i = ray_of(wi), o = ray_of(wo);
     if (!i || !o) return {};
-    const BsdfValue value = evaluate(i->flat, o->flat);
-    return {value.f * transmittance(*i) * transmittance(*o) * o->irradiance,
-            mixed_pdf(value.pdf * o->jacobian, *o)};
+    const BsdfValue flat = evaluate(i->flat, o->flat);
+    return {value(wi, *i, wo, *o, flat.f), density(wi, *i, wo, *o, flat.pdf, chosen(patch, *i))};
 }
 
 template <class Sample, class Evaluate>
-std::optional<BsdfSample> TiltedCoat::sample_by(Vec3f wi, float u_select, Vec2f u,
-                                                const Sample& sample,
+std::optional<BsdfSample> TiltedCoat::sample_by(const Patch* patch, Vec3f wi, float u_select,
+                                                Vec2f u, const Sample& sample,
                                                 const Evaluate& evaluate) const {
     const auto i = ray_of(wi);
     if (!i) return std::nullopt;
-    if (u_select >= 1 - kAround) {
+    const auto valued = [&](Vec3f wo) -> std::optional<BsdfSample> {
         BsdfSample out;
-        out.wo = Frame::around(normal_).to_world(cosine_hemisphere(u));
-        const BsdfValue value = evaluate_by(wi, out.wo, evaluate);
+        out.wo = wo;
+        const BsdfValue value = evaluate_by(patch, wi, wo, evaluate);
         if (!(value.pdf > 0)) return std::nullopt;
         out.pdf = value.pdf;
-        out.weight = value.f * (out.wo.z / value.pdf);
+        out.weight = value.f * (wo.z / value.pdf);
         return out;
-    }
+    };
+    if (u_select >= 1 - kAround)
+        return valued(Frame::around(normal_).to_world(cosine_hemisphere(u)));
     const float rest = std::min(u_select / (1 - kAround), 0x1.fffffep-1f);
+    const UnitRange of_lobe = lobe_ ? flat_.chooses_interface_lobe(patch, i->flat) : UnitRange{};
+    if (rest >= of_lobe.from && rest < of_lobe.to) {
+        const float u_sign = (rest - of_lobe.from) / (of_lobe.to - of_lobe.from);
+        const Vec3f reflected = lobe_->sample(frame_.to_local(wi), u_sign, u);
+        if (reflected.z <= 0) return std::nullopt;
+        Vec3f wo = frame_.to_world(reflected);
+        wo.z = std::abs(wo.z);
+        return valued(wo);
+    }
     auto out = sample(i->flat, rest, u);
     if (!out) return std::nullopt;
     if (out->kind == SampleKind::specular) {
@@ -123,6 +170,14 @@ std::optional<BsdfSample> TiltedCoat::sample_by(Vec3f wi, float u_select, Vec2f 
     const auto o = wo ? ray_of(*wo) : std::nullopt;
     if (!o || o->jacobian == 0) return std::nullopt;
     // The same as evaluate_by(), without asking the flat coat again.
+    if (lobe_) {
+        const float flat_pdf = out->pdf;
+        const FloatLanes f = value(wi, *i, *wo, *o, out->weight * (flat_pdf / out->wo.z));
+        out->wo = *wo;
+        out->pdf = density(wi, *i, *wo, *o, flat_pdf, of_lobe.to - of_lobe.from);
+        out->weight = f * (wo->z / out->pdf);
+        return out;
+    }
     out->wo = *wo;
     const float flat_pdf = out->pdf * o->jacobian;
     out->pdf = mixed_pdf(flat_pdf, *o);
@@ -132,7 +187,8 @@ std::optional<BsdfSample> TiltedCoat::sample_by(Vec3f wi, float u_select, Vec2f 
 
 float TiltedCoat::pdf(Vec3f wi, Vec3f wo) const {
     const auto i = ray_of(wi), o = ray_of(wo);
-    return i && o ? mixed_pdf(flat_.pdf(i->flat, o->flat) * o->jacobian, *o) : 0.0f;
+    if (!i || !o) return 0;
+    return density(wi, *i, wo, *o, flat_.pdf(i->flat, o->flat), chosen(nullptr, *i));
 }
 
 FloatLanes TiltedCoat::pdf_lanes(Vec3f wi, const Vec3Lanes& wo) const {
@@ -148,8 +204,11 @@ FloatLanes TiltedCoat::pdf_lanes(Vec3f wi, const Vec3Lanes& wo) const {
         flat.z[k] = rays[k]->flat.z;
     }
     const FloatLanes pdf = flat_.pdf_lanes(i->flat, flat);
-    return make_lanes(
-        [&](int k) { return rays[k] ? mixed_pdf(pdf[k] * rays[k]->jacobian, *rays[k]) : 0.0f; });
+    const float of_lobe = chosen(nullptr, *i);
+    return make_lanes([&](int k) {
+        if (!rays[k]) return 0.0f;
+        return density(wi, *i, lane(wo, k), *rays[k], pdf[k], of_lobe);
+    });
 }
 
 float TiltedCoat::specular_probability(Vec3f wi) const {
@@ -158,16 +217,17 @@ float TiltedCoat::specular_probability(Vec3f wi) const {
 }
 
 BsdfValue TiltedCoat::evaluate(Vec3f wi, Vec3f wo) const {
-    return evaluate_by(wi, wo, [&](Vec3f i, Vec3f o) { return flat_.evaluate(i, o); });
+    return evaluate_by(nullptr, wi, wo, [&](Vec3f i, Vec3f o) { return flat_.evaluate(i, o); });
 }
 
 BsdfValue TiltedCoat::evaluate_on(const Patch& patch, Vec3f wi, Vec3f wo) const {
-    return evaluate_by(wi, wo, [&](Vec3f i, Vec3f o) { return flat_.evaluate_on(patch, i, o); });
+    return evaluate_by(&patch, wi, wo,
+                       [&](Vec3f i, Vec3f o) { return flat_.evaluate_on(patch, i, o); });
 }
 
 std::optional<BsdfSample> TiltedCoat::sample(Vec3f wi, float u_select, Vec2f u) const {
     return sample_by(
-        wi, u_select, u,
+        nullptr, wi, u_select, u,
         [&](Vec3f i, float select, Vec2f at) { return flat_.sample(i, select, at); },
         [&](Vec3f i, Vec3f o) { return flat_.evaluate(i, o); });
 }
@@ -175,7 +235,7 @@ std::optional<BsdfSample> TiltedCoat::sample(Vec3f wi, float u_select, Vec2f u) 
 std::optional<BsdfSample> TiltedCoat::sample_on(const Patch& patch, Vec3f wi, float u_select,
                                                 Vec2f u) const {
     return sample_by(
-        wi, u_select, u,
+        &patch, wi, u_select, u,
         [&](Vec3f i, float select, Vec2f at) { return flat_.sample_on(patch, i, select, at); },
         [&](Vec3f i, Vec3f o) { return flat_.evaluate_on(patch, i, o); });
 }

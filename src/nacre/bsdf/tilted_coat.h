@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -26,6 +27,16 @@ namespace nacre::bsdf {
 /// w_z the cosine inside. The specular direction is mirrored at m; where it would point into the
 /// surface, close to grazing, the next wave turns it up again. Inside, directions beyond the flat
 /// coat's critical angle leave where m faces them; there the paint is taken as it is at that angle.
+///
+/// Of a rough interface (InterfaceLobe), whose facets lie about the tilted normal, t and t' are the angles
+/// of the light that it lets through in the mean, and T is what all facets let through. Its lobe is told
+/// apart from the layers, and is that of the frame of the tilted normal,
+///
+///     f(wi, wo) = (flat - lobe)(wi', wo') ... + lobe(M wi, M wo) (wo . m) / wo_z,
+///
+/// with what it sends below the surface turned up again as the specular direction is. How facets spread
+/// light inside is taken at the flat coat's angle, which is off by the slope times the square of the
+/// roughness.
 ///
 /// All of it is first order in the slope s: light that the interface returns into the paint finds a
 /// flat one. f is reciprocal up to the last factor, by which plane waves spread over the layers
@@ -74,21 +85,30 @@ class TiltedCoat final : public BoundBsdf {
     std::optional<Ray> ray_of(Vec3f w) const;
     /// Of the interface, over that of a flat coat at Ray::flat.
     FloatLanes transmittance(const Ray& ray) const;
+    /// The probability with which the flat coat draws a rough interface's lobe; 0 with a smooth one.
+    float chosen(const Patch* patch, const Ray& i) const;
     /// The direction whose Ray::flat is this; empty where it does not leave.
     std::optional<Vec3f> leave(Vec3f flat) const;
 
-    /// Of sample(), from the flat coat's per solid angle here.
-    float mixed_pdf(float flat_pdf, const Ray& o) const;
+    /// In the frame of the interface, what goes to wo at once and what is turned up into it.
+    std::array<Vec3f, 2> turned_up(Vec3f wo) const;
+    /// From the flat coat's in the same direction inside.
+    FloatLanes value(Vec3f wi, const Ray& i, Vec3f wo, const Ray& o, const FloatLanes& flat) const;
+    float density(Vec3f wi, const Ray& i, Vec3f wo, const Ray& o, float flat, float chosen) const;
+    /// Of sample(), from that of all but the samples around the normal.
+    float mixed_pdf(float pdf, const Ray& o) const;
 
     template <class Evaluate>
-    BsdfValue evaluate_by(Vec3f wi, Vec3f wo, const Evaluate& evaluate) const;
+    BsdfValue evaluate_by(const Patch* patch, Vec3f wi, Vec3f wo, const Evaluate& evaluate) const;
     template <class Sample, class Evaluate>
-    std::optional<BsdfSample> sample_by(Vec3f wi, float u_select, Vec2f u, const Sample& sample,
-                                        const Evaluate& evaluate) const;
+    std::optional<BsdfSample> sample_by(const Patch* patch, Vec3f wi, float u_select, Vec2f u,
+                                        const Sample& sample, const Evaluate& evaluate) const;
 
     const BoundBsdf& flat_;
+    const InterfaceLobe* lobe_;  // null: the interface is smooth
     BinderIndex index_;
     Vec3f normal_;
+    Frame frame_{};  // around the normal, of a rough interface
 };
 
 }  // namespace nacre::bsdf

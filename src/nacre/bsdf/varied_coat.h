@@ -40,6 +40,10 @@ class VariedCoat final : public BoundBsdf {
     }
     std::size_t patch_memory_bytes() const override { return mean_.patch_memory_bytes(); }
     BinderIndex binder_index() const override { return mean_.binder_index(); }
+    const InterfaceLobe* interface_lobe() const override { return mean_.interface_lobe(); }
+    UnitRange chooses_interface_lobe(const Patch* patch, Vec3f wi) const override {
+        return mean_.chooses_interface_lobe(patch, wi);
+    }
     FloatLanes coat_depth() const override { return mean_.coat_depth(); }
     /// What the interface returns of the ground's light on its way, through the coat once more, is left to
     /// the rest.

@@ -16,7 +16,8 @@ namespace nacre::measure {
 /// of higher order in the slope, s^2, nothing is kept, nor diffraction. Two series for the
 /// same, each where it converges: the error is that of rounding.
 ///
-/// @param slope       root mean square along a line (paint::OrangePeel::slope), >= 0
+/// @param slope       root mean square along a line (paint::OrangePeel::slope), >= 0; facets of Beckmann
+///                    roughness alpha have alpha / sqrt(2), and squares of both add up
 /// @param period_deg  of the grille, a bright and a dark bar, as the coat's place sees it; > 0
 double grille_contrast(double slope, double period_deg);
 

@@ -8,12 +8,14 @@
 #include <numbers>
 
 #include "nacre/bsdf/bsdf.h"
+#include "nacre/bsdf/coat_here.h"
 #include "nacre/bsdf/leaning_flakes.h"
 #include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/memory.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/random.h"
+#include "nacre/sparkle/coat_waves.h"
 #include "nacre/spectra/xyz.h"
 
 namespace nacre::measure {
@@ -115,6 +117,7 @@ class Photographer {
         : camera_(camera),
           across_(pixels_across(camera)),
           pixel_mm_(camera.field_mm / across_),
+          waves_(surface.coat_waves()),
           unit_square_(surface.surface_coordinates() == bsdf::SurfaceCoordinates::unit_square),
           patches_(static_cast<int>(
               std::clamp(patches_wanted(surface, pixel_mm_), 1.0, double{kMaxPatches}))),
@@ -160,11 +163,14 @@ class Photographer {
             work.require_going(kTaking);
             workspace.memory.forget();
             const bsdf::Patch patch = patch_of(pixel, piece, workspace.memory);
+            const bsdf::PlaceOfCoat place = place_of(patch);
+            const Surfaces here{bsdf::CoatHere(*bound_[0], place, kView),
+                                bsdf::CoatHere(*bound_[1], place, kView)};
             for (std::size_t lamp = 0; lamp < lamps_.size(); ++lamp) {
-                add_lit(patch, lamps_[lamp], workspace.by_lamp[lamp], work);
+                add_lit(here, patch, lamps_[lamp], workspace.by_lamp[lamp], work);
             }
             if (pictures.diffuse.empty()) continue;
-            for (Spectrum& half : workspace.diffuse) add_diffuse(patch, rng, half, work);
+            for (Spectrum& half : workspace.diffuse) add_diffuse(here, patch, rng, half, work);
         }
         const float fraction = 1.0f / static_cast<float>(patches_ * patches_);
         for (std::size_t lamp = 0; lamp < lamps_.size(); ++lamp) {
@@ -179,6 +185,15 @@ class Photographer {
     }
 
  private:
+    using Surfaces = std::array<bsdf::CoatHere, kOctets>;
+
+    // Of a flat panel whose frame is that of its coordinates; the lean is part of bound_.
+    bsdf::PlaceOfCoat place_of(const bsdf::Patch& patch) const {
+        if (!waves_) return {};
+        const sparkle::ObjectSpaceFootprint& at = patch.footprint;
+        return {.slope = waves_->slope(at.position_mm, at.normal, at.tangent)};
+    }
+
     bsdf::Patch patch_of(std::size_t pixel, int piece, bsdf::PatchMemory& memory) const {
         const double side_mm = pixel_mm_ / patches_;
         const double middle = 0.5 * across_ * patches_ - 0.5;
@@ -202,29 +217,31 @@ class Photographer {
         return patch;
     }
 
-    void add_lit(const bsdf::Patch& patch, const std::vector<LampDirection>& lamp, Spectrum& sum,
+    void add_lit(const Surfaces& here, const bsdf::Patch& patch,
+                 const std::vector<LampDirection>& lamp, Spectrum& sum,
                  SharedProgress& work) const {
         for (const LampDirection& d : lamp) {
             work.require_going(kTaking);
             for (int o = 0; o < kOctets; ++o) {
-                sum[o] += d.weight * bound_[o]->evaluate_on(patch, kView, d.towards).f;
+                sum[o] += d.weight * here[o].surface().evaluate_on(patch, kView, d.towards).f;
             }
         }
     }
 
-    void add_diffuse(const bsdf::Patch& patch, Rng& rng, Spectrum& sum,
+    void add_diffuse(const Surfaces& here, const bsdf::Patch& patch, Rng& rng, Spectrum& sum,
                      SharedProgress& work) const {
         const double shift[3] = {rng.uniform_double(), rng.uniform_double(), rng.uniform_double()};
         for (const auto& point : points_) {
             work.require_going(kTaking);
-            const auto sample = bound_[0]->sample_on(
+            const auto sample = here[0].surface().sample_on(
                 patch, kView, fraction_of(point[0] + shift[0]),
                 {fraction_of(point[1] + shift[1]), fraction_of(point[2] + shift[2])});
             if (!sample || sample->kind != bsdf::SampleKind::density) continue;
             sum[0] += sample->weight;
             const float cosine_over_pdf = sample->wo.z / sample->pdf;
             for (int o = 1; o < kOctets; ++o) {
-                sum[o] += cosine_over_pdf * bound_[o]->evaluate_on(patch, kView, sample->wo).f;
+                sum[o] +=
+                    cosine_over_pdf * here[o].surface().evaluate_on(patch, kView, sample->wo).f;
             }
         }
     }
@@ -232,6 +249,7 @@ class Photographer {
     const SparkleCamera& camera_;
     int across_;
     double pixel_mm_;
+    const sparkle::CoatWaves* waves_;  // null: the coat is flat
     bool unit_square_;
     int patches_;  // per side of a pixel
     bool exact_;
@@ -288,7 +306,7 @@ PanelPictures take_pictures(const bsdf::Bsdf& surface, const SparkleCamera& came
     if (camera.diffuse_samples > 0) pictures.diffuse.assign(2, photographer.blank());
     const int rows = photographer.across();
     SharedProgress counter(progress, rows);
-    if (!surface.varies_over_surface()) {
+    if (!surface.varies_over_surface() && !surface.coat_waves()) {
         Photographer::Workspace workspace(photographer);
         photographer.look(0, workspace, pictures, counter);
         for (PanelPicture& picture : pictures.by_lamp) spread_first(picture);

@@ -44,7 +44,8 @@ struct PanelPictures {
 };
 
 /// Takes the pictures of a panel. They do not contain the specular reflection of a smooth
-/// interface.
+/// interface. The waves of a coat that is not flat (Bsdf::coat_waves) are there, each patch being seen at
+/// the slope of its middle; where its thickness varies the mean thickness is taken everywhere.
 ///
 /// Pixels are made of patches that are small enough for the model to resolve every flake
 /// (bsdf::SingleFlakes). A pixel under a lamp is pi times the BRDF of its patch, averaged over the
@@ -52,7 +53,7 @@ struct PanelPictures {
 /// diffuse light, the integral of BRDF times cosine by sampling the patch along stratified
 /// directions, shifted at random from pixel to pixel [cranley-patterson-1976]. Illuminant D65.
 ///
-/// The same bits for any number of threads. For a homogeneous surface a single pixel is computed.
+/// The same bits for any number of threads. For a homogeneous surface under a flat coat a single pixel is computed.
 /// @throws DomainError as check(), or if the field is larger than the unit square of a surface that
 ///         is laid out over it
 /// @throws Error if `progress` asks to stop

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -9,11 +10,13 @@
 #include "nacre/bsdf/models/lambertian.h"
 #include "nacre/bsdf/models/microflake.h"
 #include "nacre/bsdf/models/nacre.h"
+#include "nacre/bsdf/tilted_coat.h"
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
 #include "nacre/measure/sparkle_measurement.h"
 #include "nacre/solver/solver.h"
 #include "nacre/sparkle/diffraction_lobe.h"
+#include "nacre/testing/directions.h"
 #include "nacre/testing/errors.h"
 #include "nacre/testing/paints.h"
 
@@ -111,6 +114,66 @@ TEST(SparkleCamera, FindsNeitherSparkleNorGrainOnSmoothSurfaces) {
         }
         EXPECT_EQ(m.diffuse->graininess.value, 0);
     }
+}
+
+paint::Recipe with_waves(paint::Recipe recipe, const paint::OrangePeel& peel) {
+    recipe.clearcoat = paint::Clearcoat{0, 0.0, 0, peel};
+    return recipe;
+}
+
+// Of a paint without single flakes each pixel is known: the lamp's light through the coat at the slope of
+// its middle, x to the right and y up.
+TEST(SparkleCamera, SeesTheWavesOfACoat) {
+    const Panel panel(with_waves(mirrors(20, 1.5), {.wb = 0.02, .wc = 0.02}));
+    const bsdf::Microflake smooth(panel.paint, 5);
+    const SparkleCamera camera{.pixel_um = 50,
+                               .field_mm = 3,
+                               .lamps_deg = {20},
+                               .lamp_half_angle_deg = 0,
+                               .diffuse_samples = 0};
+    const PanelPicture picture = take_pictures(smooth, camera).by_lamp.at(0);
+    const auto bound = smooth.bind({400, 440, 480, 520, 560, 600, 640, 680});
+    constexpr float kSide_mm = 0.05f;
+    const Vec3f lamp = test::direction(20, 0);
+    double least = 1e9, most = 0;
+    for (int y = 0; y < 60; y += 7) {
+        for (int x = 0; x < 60; x += 7) {
+            const Vec3d rise =
+                smooth.coat_waves()->gradient({kSide_mm * (static_cast<float>(x) - 29.5f),
+                                               kSide_mm * (29.5f - static_cast<float>(y)), 0});
+            const bsdf::TiltedCoat coat(
+                *bound, {static_cast<float>(rise.x), static_cast<float>(rise.y)}, {0, 0, 1});
+            // Gray: the same at all wavelengths, but for what the sums of the colours leave.
+            const double expected = std::numbers::pi * coat.eval({0, 0, 1}, lamp)[4];
+            const double found = picture.luminance(static_cast<std::size_t>(y) * 60 + x);
+            EXPECT_NEAR(found, expected, 1e-3 * expected);
+            least = std::min(least, found);
+            most = std::max(most, found);
+        }
+    }
+    EXPECT_GT(most, 1.2 * least);
+}
+
+// As many flakes are seen, at other places, and as bright on the whole.
+TEST(SparkleCamera, WavesMoveFlashes) {
+    const SparkleCamera camera{.field_mm = 6, .lamps_deg = {20}, .diffuse_samples = 0};
+    const auto seen = [&](const paint::OrangePeel& peel) {
+        const Panel panel(with_waves(mirrors(20, 1.0), peel));
+        return take_pictures(panel.sparkling(), camera).by_lamp.at(0);
+    };
+    const PanelPicture flat = seen({}), still = seen({.wa = 1e-7}), wavy = seen({.wb = 0.02});
+    ASSERT_EQ(flat.pixel_count(), wavy.pixel_count());
+    const auto difference = [&](const PanelPicture& picture) {
+        double sum = 0;
+        for (std::size_t i = 0; i < flat.pixel_count(); ++i) {
+            sum += std::abs(picture.luminance(i) - flat.luminance(i));
+        }
+        return sum / static_cast<double>(flat.pixel_count()) / mean_luminance(flat);
+    };
+    EXPECT_LT(difference(still), 1e-3);
+    EXPECT_GT(difference(wavy), 0.1);
+    EXPECT_NEAR(mean_luminance(wavy), mean_luminance(flat),
+                4 * std::hypot(standard_error_of_mean(wavy), standard_error_of_mean(flat)));
 }
 
 TEST(SparkleCamera, SeesOnAverageWhatTheSmoothPaintShows) {

@@ -27,15 +27,15 @@ std::shared_ptr<const solver::SolvedPaint> solved(const paint::Recipe& recipe) {
         solver::solve(recipe, spectra::default_wavelengths_nm()));
 }
 
-paint::Recipe with_peel(paint::Recipe recipe, const paint::OrangePeel& peel) {
-    recipe.clearcoat = paint::Clearcoat{0, 0.0, 0, peel};
+paint::Recipe with_peel(paint::Recipe recipe, const paint::OrangePeel& peel, double roughness = 0) {
+    recipe.clearcoat = paint::Clearcoat{0, 0.0, roughness, peel};
     return recipe;
 }
 
-/// Black below a glossy coat.
-std::shared_ptr<const bsdf::Bsdf> black(const paint::OrangePeel& peel) {
+/// Black below a coat.
+std::shared_ptr<const bsdf::Bsdf> black(const paint::OrangePeel& peel, double roughness = 0) {
     const paint::Recipe recipe =
-        with_peel(test::paint_of(1.5, {test::pigment_layer(0, 50, 0)}), peel);
+        with_peel(test::paint_of(1.5, {test::pigment_layer(0, 50, 0)}), peel, roughness);
     return std::make_shared<const bsdf::Microflake>(solved(recipe), 3);
 }
 
@@ -94,6 +94,28 @@ TEST(OrangePeel, TheMirrorImageOfAGrilleLosesTheStatedContrast) {
     EXPECT_EQ(cases, 6);
 }
 
+// Facets and waves blur the image one after the other: their contrasts multiply, bar for bar of the
+// grille's series, which makes the squares of their slopes add up.
+TEST(OrangePeel, RoughnessAndWavesBlurTheMirrorImageTogether) {
+    constexpr double kRoughness = 0.014, kSlope = 0.01;
+    const auto coat = black({.wa = kSlope * 0.6, .wb = kSlope * 0.8}, kRoughness);
+    const auto even = black({}, kRoughness);
+    const double facets = kRoughness / std::sqrt(2.0), both = std::hypot(kSlope, facets);
+    int cases = 0;
+    for (const double periods : {0.7, 1.0, 1.6}) {
+        const double period_deg = periods * measure::half_contrast_period_deg(both);
+        const auto contrast = [&](const std::shared_ptr<const bsdf::Bsdf>& of) {
+            const double bright = mirrored(of, period_deg, 0);
+            const double dark = mirrored(of, period_deg, 0.5);
+            return (bright - dark) / (bright + dark);
+        };
+        EXPECT_NEAR(contrast(coat), measure::grille_contrast(both, period_deg), 0.005);
+        EXPECT_NEAR(contrast(even), measure::grille_contrast(facets, period_deg), 0.005);
+        ++cases;
+    }
+    EXPECT_EQ(cases, 3);
+}
+
 /// A ball of paint under a lamp and a sky.
 render::SceneDescription painted_ball() {
     render::SceneDescription scene;
@@ -121,29 +143,40 @@ std::shared_ptr<const bsdf::Bsdf> shared(const bsdf::Bsdf& surface) {
 
 // Lights sampled, the surface sampled, or both: values, densities and samples belong together, those
 // of flakes that are asked one by one among them. Of flakes lights alone find too little.
-TEST(OrangePeel, EstimatorsOfDirectLightAgree) {
-    const bsdf::Microflake smooth(
-        solved(with_peel(test::metallic(0.2, 0.6), {.wb = 0.05, .wc = 0.05})), 2);
-    const auto agree = [](const bsdf::Bsdf& surface, bool light_alone) {
-        const render::Scene scene(painted_ball(), {{"paint", shared(surface)}});
-        const render::RenderOptions options{
-            .width = 24, .height = 24, .samples_per_pixel = 64, .max_depth = 1};
-        const auto mean = [&](render::DirectLight how) {
-            return render::testing::estimate_luminance(scene, options, how, 16);
-        };
-        const Estimate both = mean(render::DirectLight::combined);
-        EXPECT_LT(both.standard_error, 0.002 * both.value);
-        for (const auto how :
-             {render::DirectLight::surface_sampling, render::DirectLight::light_sampling}) {
-            if (how == render::DirectLight::light_sampling && !light_alone) continue;
-            const Estimate one = mean(how);
-            EXPECT_NEAR(one.value, both.value,
-                        test::kWorstZ * std::hypot(one.standard_error, both.standard_error));
-            EXPECT_LT(one.standard_error, 0.005 * one.value);
-        }
+void expect_estimators_agree(const bsdf::Bsdf& surface, bool light_alone) {
+    const render::Scene scene(painted_ball(), {{"paint", shared(surface)}});
+    const render::RenderOptions options{
+        .width = 24, .height = 24, .samples_per_pixel = 64, .max_depth = 1};
+    const auto mean = [&](render::DirectLight how) {
+        return render::testing::estimate_luminance(scene, options, how, 16);
     };
-    agree(smooth, true);
-    agree(sparkling(true), false);
+    const Estimate both = mean(render::DirectLight::combined);
+    EXPECT_LT(both.standard_error, 0.002 * both.value);
+    for (const auto how :
+         {render::DirectLight::surface_sampling, render::DirectLight::light_sampling}) {
+        if (how == render::DirectLight::light_sampling && !light_alone) continue;
+        const Estimate one = mean(how);
+        EXPECT_NEAR(one.value, both.value,
+                    test::kWorstZ * std::hypot(one.standard_error, both.standard_error));
+        EXPECT_LT(one.standard_error, 0.005 * one.value);
+    }
+}
+
+constexpr paint::OrangePeel kSteep{.wb = 0.05, .wc = 0.05};
+
+TEST(OrangePeel, EstimatorsOfDirectLightAgree) {
+    expect_estimators_agree(
+        bsdf::Microflake(solved(with_peel(test::metallic(0.2, 0.6), kSteep)), 2), true);
+    expect_estimators_agree(sparkling(true), false);
+}
+
+TEST(OrangePeel, EstimatorsOfDirectLightAgreeUnderARoughInterface) {
+    expect_estimators_agree(
+        bsdf::Microflake(solved(with_peel(test::metallic(0.2, 0.6), kSteep, 0.15)), 2), true);
+    expect_estimators_agree(
+        bsdf::Nacre(solved(with_peel(bsdf::paint_of({bsdf::metal_flake(40, 0.7)}), kSteep, 0.1)),
+                    {.specimen = 2}),
+        false);
 }
 
 // The waves turn light, and neither make nor take it.
@@ -183,9 +216,6 @@ TEST(OrangePeel, WhatHoldsNoWavesIsRefused) {
     const auto paint = solved(with_peel(test::metallic(0.2, 0.5), {.wd = 0.01}));
     EXPECT_THROW(bsdf::microflake_arrays(paint), DomainError);
     EXPECT_THROW(bsdf::nacre_arrays(paint, {}), DomainError);
-    auto rough = std::make_shared<solver::SolvedPaint>(*paint);
-    rough->recipe.clearcoat->roughness = 0.1;
-    EXPECT_THROW(bsdf::Microflake{rough}, DomainError);
     const bsdf::MicroflakeModel table{.table = bsdf::MicroflakeModel::Table::raw};
     EXPECT_THROW(table.make_table(*paint, {}), DomainError);
 }

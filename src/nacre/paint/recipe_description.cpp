@@ -86,8 +86,8 @@ void describe(Visitor& visit, Clearcoat& coat) {
            .zero_words = "smooth surface"},
           coat.roughness);
     visit({.key = "orange_peel",
-           .meaning = "waves of the air interface, which only pictures show "
-                      "([orange-peel.md](orange-peel.md)), those of `roughness` 0",
+           .meaning = "waves of the air interface, which only pictures and `nacre sparkle` show "
+                      "([orange-peel.md](orange-peel.md))",
            .words = "orange peel with slopes of {}",
            .in_line = true},
           coat.orange_peel);

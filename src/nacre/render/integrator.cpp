@@ -6,9 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "nacre/bsdf/leaning_flakes.h"
-#include "nacre/bsdf/tilted_coat.h"
-#include "nacre/bsdf/varied_coat.h"
+#include "nacre/bsdf/coat_here.h"
 #include "nacre/render/direct_light.h"
 
 namespace nacre::render {
@@ -89,34 +87,6 @@ struct Branch {
     float straight_mm = 0;  ///< gone through panes since the last surface
     /// Probability with which it goes on at the next surface that it meets, if not at a light.
     float followed = 1;
-};
-
-/// A surface with what its coat is like where a path meets it.
-class CoatHere {
- public:
-    /// @param mean  must outlive this
-    CoatHere(const CompiledScene& scene, const Hit& hit, const bsdf::BoundBsdf& mean, Vec3f wi)
-        : surface_(&mean) {
-        if (const auto deviation = scene.coat_deviation(hit)) {
-            surface_ = &varied_.emplace(*surface_, *deviation);
-        }
-        if (const auto lean = scene.flake_lean(hit)) {
-            surface_ = &leaning_.emplace(*surface_, bsdf::LeaningFlakes::Lean(*lean), wi);
-        }
-        if (const auto slope = scene.coat_slope(hit)) {
-            surface_ = &tilted_.emplace(*surface_, *slope, wi);
-        }
-    }
-    CoatHere(const CoatHere&) = delete;
-    CoatHere& operator=(const CoatHere&) = delete;
-
-    const bsdf::BoundBsdf& surface() const { return *surface_; }
-
- private:
-    const bsdf::BoundBsdf* surface_;
-    std::optional<bsdf::VariedCoat> varied_;
-    std::optional<bsdf::LeaningFlakes> leaning_;
-    std::optional<bsdf::TiltedCoat> tilted_;
 };
 
 class PathTracer {
@@ -351,7 +321,11 @@ void PathTracer::follow(Branch& branch) {
             branch.throughput.smooth *= 1 / branch.followed;
             branch.followed = 1;
         }
-        const CoatHere coat(scene_, *hit, bound(*hit), wi);
+        const bsdf::CoatHere coat(bound(*hit),
+                                  {.deviation = scene_.coat_deviation(*hit),
+                                   .lean = scene_.flake_lean(*hit),
+                                   .slope = scene_.coat_slope(*hit)},
+                                  wi);
         LocalSurface surface = surface_at(*hit, wi, branch, coat.surface());
         surface.among_candidates = branch.differential.has_value();
         if (branch.depth == 0 && !surface.shows_flakes()) {

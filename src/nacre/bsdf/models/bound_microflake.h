@@ -14,6 +14,7 @@
 #include "nacre/bsdf/flake_lobe.h"
 #include "nacre/bsdf/models/coat_spread.h"
 #include "nacre/bsdf/models/direction_tables.h"
+#include "nacre/bsdf/models/interface_lobe.h"
 #include "nacre/bsdf/models/leaning_tables.h"
 #include "nacre/bsdf/models/microflake.h"
 #include "nacre/bsdf/models/ray.h"
@@ -65,7 +66,6 @@ void tabulate_sampling(
     const std::function<std::unique_ptr<const BoundMicroflake>(const Wavelengths&)>& bind);
 
 /// Of a specimen of the paint; none where its coat is flat.
-/// @throws DomainError if it is rough as well
 std::optional<sparkle::CoatWaves> coat_waves(const solver::SolvedPaint& paint,
                                              std::uint64_t specimen);
 
@@ -158,8 +158,10 @@ class BoundMicroflake : public BoundBsdf {
     FlakeDepths flake_depths(float cosine) const override;
     CoatChange coat_change(Vec3f wi, Vec3f wo, float deviation) const override;
     FloatLanes coat_factor(Vec3f wi, Vec3f wo, float deviation) const override;
-    /// The lobe of a rough interface, part of eval(); 0 of a smooth one.
-    FloatLanes interface_lobe(Vec3f wi, Vec3f wo) const;
+    const InterfaceLobe* interface_lobe() const override {
+        return rough_ ? &rough_->interface : nullptr;
+    }
+    UnitRange chooses_interface_lobe(const Patch* patch, Vec3f wi) const override;
 
  protected:
     // For models that keep the smooth part and the ways to sample it, and change the flakes.
@@ -236,7 +238,6 @@ class BoundMicroflake : public BoundBsdf {
     T density(const SamplingProbabilities& probability, const Ray& i, const Vec3<T>& outside,
               const Vec3<T>& inside) const;
     void bind_smooth_interface();
-    void bind_rough_interface();
     void bind_layers();
 
     template <class Flakes>
@@ -268,7 +269,6 @@ class BoundMicroflake : public BoundBsdf {
     template <class Flakes>
     FloatLanes single(Vec3f inside_i, Vec3f inside_o, const Ray& i, const Ray& o,
                       const Flakes& flakes) const;
-    FloatLanes rough_lobe(const Ray& i, const Ray& o) const;
 
     std::shared_ptr<const Microflake::Tables> tables_;
     std::array<WavelengthPosition, kLanes> where_;
@@ -282,14 +282,8 @@ class BoundMicroflake : public BoundBsdf {
     float mean_ior_, inverse_mean_ior_;
     /// By direction: transmittance of a smooth interface over the cosine, finite at grazing.
     std::vector<FloatLanes> transmittance_over_cosine_;
-    /// A rough interface: its facets, and by direction the masking over the cosine and the fraction
-    /// that is masked, which solver::RoughInterface returns diffusely.
     struct Rough {
-        FlakeLobe lobe;
-        float inverse_alpha2;
-        std::vector<float> masking;
-        std::vector<FloatLanes> masked;
-        FloatLanes diffuse_scale;
+        InterfaceLobe interface;
         std::vector<FloatLanes> single;  // single scattering alone: bind_rough_single()
     };
     std::optional<Rough> rough_;
@@ -390,7 +384,7 @@ FloatLanes BoundMicroflake::value(const Ray& i, const Ray& o, const Flakes& flak
     const SmoothCell cell = cell_of(i, o);
     if (rough_) {
         const FloatLanes smooth = tabulated(smooth_, i, o, cell);
-        const FloatLanes mean = smooth + rough_lobe(i, o);
+        const FloatLanes mean = smooth + rough_->interface.eval(i, o);
         if constexpr (std::is_same_v<Flakes, MeanFlakes>) {
             return mean;
         } else {

@@ -14,7 +14,6 @@
 #include "nacre/core/random.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/paint/beckmann.h"
-#include "nacre/solver/rough_interface.h"
 #include "nacre/solver/solver.h"
 
 namespace nacre::bsdf {
@@ -101,12 +100,6 @@ std::optional<sparkle::CoatWaves> coat_waves(const solver::SolvedPaint& paint,
                                              std::uint64_t specimen) {
     const auto peel = paint.recipe.orange_peel();
     if (!peel) return std::nullopt;
-    if (paint.recipe.clearcoat->roughness > 0) {
-        throw DomainError(fmt::format(
-            "clearcoat.roughness = {}: must be 0 with an orange_peel, whose waves are shown "
-            "by the mirror image of a smooth interface",
-            paint.recipe.clearcoat->roughness));
-    }
     return sparkle::CoatWaves(*peel, specimen);
 }
 
@@ -204,7 +197,7 @@ BoundMicroflake::BoundMicroflake(std::shared_ptr<const Microflake::Tables> table
     inverse_mean_ior_ = 1 / mean_ior_;
 
     if (tables_->rough) {
-        bind_rough_interface();
+        rough_ = Rough{InterfaceLobe(paint.medium.roughness, ior_, mean_ior_), {}};
     } else {
         bind_smooth_interface();
         bind_layers();
@@ -265,33 +258,6 @@ void BoundMicroflake::bind_layers() {
     }
 }
 
-void BoundMicroflake::bind_rough_interface() {
-    const double alpha = tables_->paint->medium.roughness;
-    const float a = static_cast<float>(alpha);
-    Rough rough{FlakeLobe(a), 1 / (a * a), {}, {}, {}, {}};
-    std::array<std::shared_ptr<const solver::RoughInterface>, kLanes> by_lane;
-    for (int lane = 0; lane < kLanes; ++lane) {
-        by_lane[lane] = lane > 0 && ior_[lane] == ior_[lane - 1]
-                            ? by_lane[lane - 1]
-                            : solver::rough_interface(ior_[lane], alpha);
-    }
-    rough.diffuse_scale =
-        make_lanes([&](int lane) { return static_cast<float>(by_lane[lane]->diffuse_scale()); });
-    for (int row = 0; row <= kDirectionIntervals; ++row) {
-        const double theta = direction_angle(row);
-        rough.masking.push_back(static_cast<float>(
-            solver::smith_beckmann_over_cosine(std::cos(theta), std::sin(theta), alpha)));
-        FloatLanes masked{};
-        for (int lane = 0; lane < kLanes; ++lane) {
-            masked[lane] = lane > 0 && by_lane[lane] == by_lane[lane - 1]
-                               ? masked[lane - 1]
-                               : static_cast<float>(by_lane[lane]->masked(theta));
-        }
-        rough.masked.push_back(masked);
-    }
-    rough_ = std::move(rough);
-}
-
 template FloatLanes BoundMicroflake::value(const Ray&, const Ray&, const MeanFlakes&) const;
 template FloatLanes BoundMicroflake::single(Vec3f, Vec3f, const Ray&, const Ray&,
                                             const MeanFlakes&) const;
@@ -315,22 +281,6 @@ Ray make_ray(double theta, double phi, float inverse_mean_ior) {
                     inverse_mean_ior);
 }
 
-// solver::RoughInterface::brdf at eight wavelengths.
-FloatLanes BoundMicroflake::rough_lobe(const Ray& i, const Ray& o) const {
-    const Vec3f h = i.outside + o.outside;
-    const float tan2 = (h.x * h.x + h.y * h.y) / (h.z * h.z), sec2 = 1 + tan2;
-    const float exponent = tan2 * rough_->inverse_alpha2;
-    FloatLanes f = rough_->diffuse_scale * i.look_up(rough_->masked) * o.look_up(rough_->masked);
-    if (exponent < 60) {
-        const float facets = std::exp(-exponent) * rough_->inverse_alpha2 *
-                             std::numbers::inv_pi_v<float> * sec2 * sec2;
-        const float cosine = std::min(1.0f, 0.5f * length(h));
-        f += (0.25f * facets * i.look_up(rough_->masking) * o.look_up(rough_->masking)) *
-             optics::dielectric_reflectance(splat(1.0f), ior_, splat(cosine));
-    }
-    return f;
-}
-
 const SamplingProbabilities& BoundMicroflake::probabilities_at(const Ray& i) const {
     return tables_->probability[i.row + (i.fraction > 0.5f)];
 }
@@ -345,7 +295,7 @@ T BoundMicroflake::density(const SamplingProbabilities& probability, const Ray& 
     const T table =
         slopes * solid_angle_ratio(outside.z, inside.z) * 0.5f * dot(half, half) / (z * z * z);
     T interface {};
-    if (rough_) interface = probability.interface * rough_->lobe.pdf(i.outside, outside);
+    if (rough_) interface = probability.interface * rough_->interface.pdf(i.outside, outside);
     return interface + probability.table * table +
            probability.diffuse * std::numbers::inv_pi_v<float> * outside.z;
 }
@@ -382,15 +332,11 @@ CoatChange BoundMicroflake::coat_change(const Ray& i, const Ray& o, float deviat
     const FloatLanes more = table.mean * (relative_remainder(table, depth, deviation) - 1.0f);
     if (rough_) {
         // The lobe of the interface does not cross the coat.
-        change.added = change.factor * more + (1.0f - change.factor) * rough_lobe(i, o);
+        change.added = change.factor * more + (1.0f - change.factor) * rough_->interface.eval(i, o);
     } else {
         change.added = change.factor * more * interface_factor(i, o);
     }
     return change;
-}
-
-FloatLanes BoundMicroflake::interface_lobe(Vec3f wi, Vec3f wo) const {
-    return rough_ ? rough_lobe(make_ray(wi), make_ray(wo)) : FloatLanes{};
 }
 
 FloatLanes BoundMicroflake::eval(Vec3f wi, Vec3f wo) const {
@@ -422,6 +368,11 @@ FloatLanes BoundMicroflake::pdf_lanes(Vec3f wi, const Vec3Lanes& wo) const {
     return wo.z > 0 ? pdf : FloatLanes{};
 }
 
+UnitRange BoundMicroflake::chooses_interface_lobe(const Patch* /*patch*/, Vec3f wi) const {
+    if (!rough_ || wi.z <= 0) return {};
+    return {0, probabilities_at(make_ray(wi)).interface};
+}
+
 float BoundMicroflake::specular_probability(Vec3f wi) const {
     return rough_ || wi.z <= 0 ? 0.0f : probabilities_at(make_ray(wi)).interface;
 }
@@ -444,7 +395,7 @@ BsdfSample BoundMicroflake::specular_sample(Vec3f wi, float probability) const {
 Vec3f BoundMicroflake::draw(const SamplingProbabilities& probability, const Ray& i, float u_select,
                             Vec2f u) const {
     if (u_select < probability.interface)
-        return rough_->lobe.sample(i.outside, u_select / probability.interface, u);
+        return rough_->interface.sample(i.outside, u_select / probability.interface, u);
     if (u_select - probability.interface < probability.diffuse) return cosine_hemisphere(u);
     return tables_->warp->sample({i.outside, i.inside, i.x}, u).value_or(Vec3f{0, 0, 0});
 }

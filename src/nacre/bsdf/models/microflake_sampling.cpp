@@ -80,8 +80,10 @@ void tabulate_warp(Microflake::Tables& tables, const Bind& bind) {
     }
     const FloatLanes response = make_lanes([&](int i) { return weight[i] / sum; });
     const auto bound = bind(wavelengths);
+    const InterfaceLobe* const interface = bound->interface_lobe();
     const auto flux = [&](Vec3f wi, Vec3f wo) {
-        return wo.z * lane_sum(response * (bound->eval(wi, wo) - bound->interface_lobe(wi, wo)));
+        const FloatLanes lobe = interface ? interface->eval(wi, wo) : FloatLanes{};
+        return wo.z * lane_sum(response * (bound->eval(wi, wo) - lobe));
     };
     const auto warp = std::make_shared<ReflectionWarp>(
         tables.mean_ior, typical_alpha(tables.paint->medium, tables.rough), flux);

@@ -130,6 +130,7 @@ class BoundNacre final : public BoundMicroflake {
         return 2 * tables_->species.size() * sizeof(sparkle::FlakeView);
     }
     bool tells_flakes_apart() const override { return true; }
+    UnitRange chooses_interface_lobe(const Patch* patch, Vec3f wi) const override;
     float narrow_light(Vec3f wi) const override;
     CoatChange coat_change(Vec3f wi, Vec3f wo, float deviation) const override;
     void ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,

@@ -359,6 +359,16 @@ std::optional<BsdfSample> BoundNacre::sample_on(const Patch& patch, Vec3f wi, fl
     return s;
 }
 
+UnitRange BoundNacre::chooses_interface_lobe(const Patch* patch, Vec3f wi) const {
+    if (!patch || patch->flakes != Patch::Flakes::shown || tables_->species.empty() ||
+        !under_rough_coat() || wi.z <= 0) {
+        return BoundMicroflake::chooses_interface_lobe(patch, wi);
+    }
+    const Look look(*this, *patch, wi);
+    const Probability probability = probability_on(look, make_ray(wi));
+    return {probability.flakes, probability.flakes + probability.lobes.interface};
+}
+
 void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
                             std::vector<AskedFlake>& list) const {
     list.clear();
