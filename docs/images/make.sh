@@ -92,6 +92,17 @@ for spread in 0 3 6; do
 done
 montage "${tiles[@]}" -tile 3x1 -geometry 240x200+2+2 docs/images/coat-thickness.png
 
+printf 'orange-peel-door.png\n' >&2
+tiles=()
+for peel in '' "$car" "$heavy" "$heavy\nroughness = 0.01"; do
+    tile="$scratch/door-${#tiles[@]}"
+    sed "s/^thickness_um = 45/&\n$peel/" "$scratch/black.toml" >"$tile.toml"
+    "$nacre" render scenes/door.toml --paint "$tile.toml" --model microflake --size 400x400 --spp 32 \
+        --quiet -o "$tile.exr"
+    tiles+=("$tile.png")
+done
+montage "${tiles[@]}" -tile 2x2 -geometry 400x400+2+2 docs/images/orange-peel-door.png
+
 printf 'sparkle.png\n' >&2
 tiles=()
 for paint in metallic-silver ruby tio2-mica-110 glitter-100um; do
