@@ -91,7 +91,7 @@ float TiltedCoat::mixed_pdf(float pdf, const Ray& o) const {
 }
 
 std::array<Vec3f, 2> TiltedCoat::turned_up(Vec3f wo) const {
-    return {frame_.to_local(wo), frame_.to_local({wo.x, wo.y, -wo.z})};
+    return {frame_.to_local(wo), frame_.to_local(Vec3f{wo.x, wo.y, -wo.z})};
 }
 
 float TiltedCoat::chosen(const Patch* patch, const Ray& i) const {
