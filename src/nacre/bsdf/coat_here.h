@@ -20,8 +20,9 @@ struct PlaceOfCoat {
 /// A surface with what its coat is like at one place.
 class CoatHere {
  public:
-    /// @param mean  must outlive this
-    /// @param wi    the direction from which it is seen
+    /// @param mean   must outlive this
+    /// @param place  of the same frame as wi
+    /// @param wi     the direction from which it is seen
     CoatHere(const BoundBsdf& mean, const PlaceOfCoat& place, Vec3f wi) : surface_(&mean) {
         if (place.deviation) surface_ = &varied_.emplace(*surface_, *place.deviation);
         if (place.lean) {
