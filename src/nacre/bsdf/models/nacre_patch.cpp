@@ -216,8 +216,8 @@ float BoundNacre::slope_density(std::size_t species, Vec3f wi) const {
 float BoundNacre::narrow_light(Vec3f wi) const {
     float narrowest = 0;
     for (std::size_t s = 0; s < tables_->species.size(); ++s) {
-        narrowest = std::max(narrowest, static_cast<float>(tables_->species[s].directions) *
-                                            slope_density(s, wi));
+        narrowest = std::max(
+            narrowest, static_cast<float>(tables_->species[s].directions) * slope_density(s, wi));
     }
     return narrowest > 0 ? narrowest : std::numeric_limits<float>::infinity();
 }
@@ -406,8 +406,7 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
                 // sec^3 / (4 w_i.h): area of slopes per solid angle of w_o; then per that outside.
                 const FloatLanes pdf = directions * half.pdf * (0.5f * sec2 / (i.inside.z + z)) *
                                        oz / (z * (mean_ior() * mean_ior()));
-                const auto leaves =
-                    (oz2 > 1e-6f) & (z > 0.0f) & (pdf > 0.0f) & (strength > 0.0f);
+                const auto leaves = (oz2 > 1e-6f) & (z > 0.0f) & (pdf > 0.0f) & (strength > 0.0f);
                 for (int lane = 0; lane < last; ++lane) {
                     if (!leaves[lane]) continue;
                     list.push_back({{ox[lane], oy[lane], oz[lane]},
