@@ -115,7 +115,7 @@ TEST_F(Program, ShellsCompleteIt) {
     EXPECT_EQ(completions("nacre measure --illu", 2), "--illuminant\n");
     EXPECT_EQ(completions("nacre render curv", 2), "curved-panel\n");
     EXPECT_EQ(completions("nacre render sphere --paint rub", 4), "ruby\n");
-    EXPECT_EQ(completions("nacre measure gra", 2), "gray.toml\n");
+    EXPECT_EQ(completions("nacre measure gray", 2), "gray.toml\n");
     EXPECT_EQ(completions("nacre help rend", 2), "render\n");
     EXPECT_EQ(completions("nacre eval ruby --model thin", 4), "thin-film\n");
     EXPECT_THAT(nacre("completion zsh").out, HasSubstr("bashcompinit"));
