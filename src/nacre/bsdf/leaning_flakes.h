@@ -55,8 +55,11 @@ namespace nacre::bsdf {
 /// interface returns of a lobe is odd about the critical angle: light from the ground is asked there, twice,
 /// less that of the direction as far on its other side.
 ///
-/// f is as reciprocal as the paint that is asked, and holds to first order in the tilt but for how much
-/// light flakes and pigments scattered again, which is of the flat paint.
+/// All of it is derived here, from single scattering in a layer [chandrasekhar-1960] and from two
+/// streams as Kubelka and Munk have them [kubelka-munk-1931], along directions that mirrors exchange; errors
+/// against walks and discs stand in docs/flakes.md. f is as reciprocal as the paint that is asked, and
+/// holds to first order in the tilt but for how much light flakes and pigments scattered again, which is
+/// of the flat paint.
 class LeaningFlakes final : public BoundBsdf {
  public:
     /// The flakes' mean normal and the frame around it, into which it is the shortest turn.

@@ -23,7 +23,8 @@ namespace nacre::bsdf {
 // 1 - r R exp(-D z): a constant and an exponential, laid through the values of the paint solved anew at
 // kCoatNode deviations below and above the mean. Where the three hold no such curve (a table has an error
 // of its own) each side takes the steepest or flattest that there is. Beyond the nodes 1/q goes on at most
-// as a straight line, and not below half of its value there.
+// as a straight line, and not below half of its value there. The law of q is a choice of this project, after
+// what a surface does to diffuse light [saunderson-1942]; its errors stand on the page named above.
 
 /// In standard deviations: 1.2 % of a panel is beyond.
 inline constexpr double kCoatNode = 2.5;
