@@ -5,12 +5,12 @@
 #include <numbers>
 
 #include "nacre/core/error.h"
-#include "nacre/core/quadrature.h"
 #include "nacre/core/random.h"
 #include "nacre/fit/drawdown.h"
 #include "nacre/spectra/lab.h"
 #include "nacre/spectra/xyz.h"
 #include "nacre/testing/errors.h"
+#include "nacre/testing/h_function.h"
 
 // A pigment's coefficients from its tints in a known white.
 
@@ -198,21 +198,8 @@ TEST(Tints, StandardErrorsAreThoseOfRepeatedReadings) {
 /// Of light that comes in at a cosine, what a half space of isotropic scatterers of albedo w without a
 /// surface sends back in all directions: 1 - H(mu) sqrt(1 - w).      [chandrasekhar-1960, chapter V]
 double half_space_albedo(double w, double mu) {
-    const Quadrature rule = gauss_legendre(64, 0, 1);
-    std::vector<double> h(rule.nodes.size(), 1.0);
-    const auto h_at = [&](double cosine) {
-        double sum = 0;
-        for (std::size_t k = 0; k < h.size(); ++k) {
-            sum += rule.weights[k] * rule.nodes[k] * h[k] / (cosine + rule.nodes[k]);
-        }
-        return 1 / (std::sqrt(1 - w) + w / 2 * sum);
-    };
-    for (int iteration = 0; iteration < 500; ++iteration) {
-        std::vector<double> next;
-        for (const double node : rule.nodes) next.push_back(h_at(node));
-        h = std::move(next);
-    }
-    return 1 - h_at(mu) * std::sqrt(1 - w);
+    const nacre::test::HFunction h([w](double) { return w / 2; });
+    return 1 - h(mu) * std::sqrt(1 - w);
 }
 
 // Readings in closed form, of mixtures whose coefficients are added.                  [duncan-1940]

@@ -1,13 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <numbers>
-#include <vector>
 
 #include "nacre/core/angles.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/solver/solver.h"
+#include "nacre/testing/h_function.h"
 #include "nacre/testing/paints.h"
 
 // Particles far smaller than the wavelength scatter by Rayleigh's phase function 3/4 (1 + cos^2), for
@@ -15,40 +14,6 @@
 
 namespace nacre::solver {
 namespace {
-
-/// H of the characteristic function Psi, by iteration of its integral equation in the form that
-/// converges fast:  1/H = sqrt(1 - 2 Int Psi dx) + Int x Psi(x) H(x)/(mu + x) dx.
-///                                                        [chandrasekhar-1960, chapter V]
-class HFunction {
- public:
-    explicit HFunction(std::function<double(double)> psi)
-        : psi_(std::move(psi)), rule_(gauss_legendre(64, 0, 1)), h_(rule_.nodes.size(), 1.0) {
-        double integral = 0;
-        for (std::size_t i = 0; i < h_.size(); ++i) {
-            integral += rule_.weights[i] * psi_(rule_.nodes[i]);
-        }
-        first_ = std::sqrt(std::max(1 - 2 * integral, 0.0));
-        for (int iteration = 0; iteration < 200; ++iteration) {
-            std::vector<double> next;
-            for (double mu : rule_.nodes) next.push_back((h_[next.size()] + (*this)(mu)) / 2);
-            h_ = next;
-        }
-    }
-    double operator()(double mu) const {
-        double integral = 0;
-        for (std::size_t i = 0; i < h_.size(); ++i) {
-            const double x = rule_.nodes[i];
-            integral += rule_.weights[i] * x * psi_(x) * h_[i] / (mu + x);
-        }
-        return 1 / (first_ + integral);
-    }
-
- private:
-    std::function<double(double)> psi_;
-    Quadrature rule_;
-    std::vector<double> h_;
-    double first_ = 0;
-};
 
 /// BRDF of a half space that absorbs nothing, in the Fourier orders 0 to 2 of the azimuth from the
 /// incident direction.                             [chandrasekhar-1960, sections 16, 44 and 45]
@@ -85,9 +50,9 @@ class RayleighHalfSpace {
         return sum;
     }
 
-    HFunction h0_{[](double x) { return 3.0 / 16 * (3 - x * x); }};
-    HFunction h1_{[](double x) { return 3.0 / 8 * x * x * (1 - x * x); }};
-    HFunction h2_{[](double x) { return 3.0 / 32 * (1 - x * x) * (1 - x * x); }};
+    nacre::test::HFunction h0_{[](double x) { return 3.0 / 16 * (3 - x * x); }};
+    nacre::test::HFunction h1_{[](double x) { return 3.0 / 8 * x * x * (1 - x * x); }};
+    nacre::test::HFunction h2_{[](double x) { return 3.0 / 32 * (1 - x * x) * (1 - x * x); }};
     double c_ = 0;
 };
 
