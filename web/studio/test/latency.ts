@@ -19,8 +19,12 @@ import { launch, Program } from "./program";
 interface Clock {
     /** The last key. */
     key_ms: number;
+    /** From the key until the page had sent the paint. */
+    sent_ms: number[];
     /** From the key until the browser had the numbers of the live picture. */
     numbers_ms: number[];
+    /** From the key until the page had handed the first frame of a new paint to the graphics processor. */
+    begun_ms: number[];
     /** From the key to the first frame of a new paint, drawn. */
     pictures_ms: number[];
     /** When each frame had been drawn on the canvas that is seen. */
@@ -35,7 +39,14 @@ declare global {
 
 /** Runs in the page before its own script: notes when the graphics processor has drawn. */
 function watchDrawing(): void {
-    const clock: Clock = { key_ms: 0, numbers_ms: [], pictures_ms: [], frames_ms: [] };
+    const clock: Clock = {
+        key_ms: 0,
+        sent_ms: [],
+        numbers_ms: [],
+        begun_ms: [],
+        pictures_ms: [],
+        frames_ms: [],
+    };
     window.clock = clock;
     addEventListener("keydown", () => (clock.key_ms = performance.now()), true);
     const Plain = window.WebSocket;
@@ -46,6 +57,12 @@ function watchDrawing(): void {
                 if (typeof data !== "string" || !/"type": ?"shader"/.test(data)) return;
                 clock.numbers_ms.push(performance.now() - clock.key_ms);
             });
+        }
+        override send(data: Parameters<WebSocket["send"]>[0]): void {
+            super.send(data);
+            if (typeof data === "string" && data.startsWith('{"type":"paint"')) {
+                clock.sent_ms.push(performance.now() - clock.key_ms);
+            }
         }
     };
     const prototype = WebGL2RenderingContext.prototype;
@@ -74,6 +91,7 @@ function watchDrawing(): void {
         const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
         if (sync === null) return;
         gl.flush();
+        if (begun_ms !== null) clock.begun_ms.push(performance.now() - begun_ms);
         const look = () => {
             if (gl.clientWaitSync(sync, 0, 0) === gl.TIMEOUT_EXPIRED) {
                 setTimeout(look, 1);
@@ -114,7 +132,8 @@ const SLIDER = "[data-key='layer[0].flakes[0].coats[0].thickness_nm'] input[type
 /** @returns from the key to the chips, by the page's own clock, in ms */
 async function move(page: Page): Promise<number> {
     await page.evaluate(() => {
-        window.clock.numbers_ms.length = window.clock.pictures_ms.length = 0;
+        const { sent_ms, numbers_ms, begun_ms, pictures_ms } = window.clock;
+        for (const times of [sent_ms, numbers_ms, begun_ms, pictures_ms]) times.length = 0;
     });
     await page.keyboard.press("ArrowRight");
     await page.waitForFunction(
@@ -123,14 +142,27 @@ async function move(page: Page): Promise<number> {
     return Number(/\d+/.exec((await page.textContent(".latency")) ?? "")?.[0]);
 }
 
-/** From the key to the live picture's numbers, and to its first frame, in ms. */
-async function firstPicture(page: Page): Promise<[number, number]> {
+/** From the key, in ms. */
+interface FirstPicture {
+    sent_ms: number;
+    numbers_ms: number;
+    begun_ms: number;
+    drawn_ms: number;
+}
+
+async function firstPicture(page: Page): Promise<FirstPicture> {
     await page.waitForFunction(() =>
         [window.clock.numbers_ms, window.clock.pictures_ms].every((times) => times.length > 0),
     );
     return page.evaluate(() => {
-        const { numbers_ms, pictures_ms } = window.clock;
-        return [numbers_ms[0] as number, pictures_ms[0] as number];
+        const { sent_ms, numbers_ms, begun_ms, pictures_ms } = window.clock;
+        const first = (times: number[]) => times[0] as number;
+        return {
+            sent_ms: first(sent_ms),
+            numbers_ms: first(numbers_ms),
+            begun_ms: first(begun_ms),
+            drawn_ms: first(pictures_ms),
+        };
     });
 }
 
@@ -138,21 +170,25 @@ async function firstPicture(page: Page): Promise<[number, number]> {
 async function moves(page: Page, count: number): Promise<void> {
     await page.focus(SLIDER);
     const chips: number[] = [];
-    const pictures: [number, number][] = [];
+    const pictures: FirstPicture[] = [];
     for (let i = 0; i < count; ++i) {
         chips.push(await move(page));
         pictures.push(await firstPicture(page));
         await page.waitForTimeout(120 + 100 * Math.random());
     }
     report("from a key to its chips", chips);
-    report(
-        "from a key to the numbers of its live picture",
-        pictures.map(([numbers_ms]) => numbers_ms),
-    );
-    report(
-        "from a key to its live picture",
-        pictures.map(([, drawn_ms]) => drawn_ms),
-    );
+    const steps: [keyof FirstPicture, string][] = [
+        ["sent_ms", "from a key until its paint is sent"],
+        ["numbers_ms", "from a key to the numbers of its live picture"],
+        ["begun_ms", "from a key until its live picture is handed to the graphics processor"],
+        ["drawn_ms", "from a key to its live picture"],
+    ];
+    for (const [step, what] of steps) {
+        report(
+            what,
+            pictures.map((times) => times[step]),
+        );
+    }
     const atOnce: number[] = [];
     for (let i = 0; i < count; ++i) atOnce.push(await move(page));
     report("from a key to its chips, moves at once upon chips", atOnce);

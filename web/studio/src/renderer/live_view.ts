@@ -43,16 +43,21 @@ export interface LiveOptions {
 /** What filled() takes beside a texture that was. */
 type Numbers = Parameters<typeof filled> extends [unknown, ...infer Rest] ? Rest : never;
 
-/** As long as drawing may take in a frame without the page becoming slow. */
-const FRAME_MS = 30;
+/**
+ * As long as drawing may take in a frame without the page becoming slow, and in the frame that follows a
+ * move, unless the least that it shows takes longer. A card draws oftener than processors for less: what
+ * is new then waits for less, chips too.
+ */
+const BY_CARD = { frame_ms: 12, moving_ms: 6 };
+const BY_PROCESSOR = { frame_ms: 30, moving_ms: 12 };
+/** Who has drawn a frame in less is a card, or as fast as one. */
+const CARD_MS = 15;
 /** Samples of pixels that are worth a frame on any machine. */
 const LEAST_WORK = 4096;
 const COARSE_SAMPLES = 24;
 /** Fine enough for lights; coarse enough for many samples of a pixel, and to tell glitter from its mean. */
 const LEAST_COARSE = 3;
 const MOST_COARSE = 10;
-/** As long as drawing may take in the frame that follows a move, unless the least that it shows takes longer. */
-const MOVING_MS = 12;
 /** Between looks whether a frame has been drawn. */
 const POLL_MS = 2;
 /**
@@ -352,8 +357,9 @@ export class LiveView {
         if (!whole || !this.transform || !this.light || !this.camera || !this.paint) return 0;
         if (!this.shape.ready() || !this.shown.ready()) return 0;
         const pixels = whole.target.width * whole.target.height;
-        const budget = Math.max(FRAME_MS * this.speed, LEAST_WORK);
-        const moving = MOVING_MS * this.speed;
+        const { frame_ms, moving_ms } = this.overhead_ms < CARD_MS ? BY_CARD : BY_PROCESSOR;
+        const budget = Math.max(frame_ms * this.speed, LEAST_WORK);
+        const moving = moving_ms * this.speed;
         // One sample shows a part of a pixel's flakes, which glitter more than all of them.
         const { asks } = sampleOf(0, this.showsFlakesIn(whole));
         const least = asks ? ENOUGH * ASKING_COST * pixels : pixels;
