@@ -186,7 +186,7 @@ class PathTracer {
     const PathOptions& options_;
     bsdf::PatchMemory& memory_;
     PathLight path_;
-    std::optional<Branch> flake_;  ///< the ray of the one that was chosen by the light it sees
+    std::optional<Branch> flake_;        ///< the ray of the one that was chosen by the light it sees
     std::optional<Branch> blind_flake_;  ///< of one chosen whatever it sees
     std::optional<Branch> specular_;     ///< the reflection at the first surface, traced besides
 };
@@ -242,9 +242,9 @@ LocalSurface PathTracer::surface_at(const Hit& hit, Vec3f wi, const Branch& bran
 //
 // Other surfaces reflect light as well, towards flakes that see no light themselves. So some samples
 // follow a second ray, of a flake chosen by strength alone. What surfaces send along either is weighed
-// against both choices by the balance heuristic [veach-1997, eq. 9.8]. What lights send counts along
-// the first alone: a ray chosen by a mixture of both densities would meet it in most samples and miss
-// it in some, which is noise.
+// against both choices by the balance heuristic [veach-1997, eq. 9.8]; what lights send counts along the
+// first alone, which is certain to find it: who chose by a mixture of both had it in most samples, and
+// in some not.
 void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
                             const LocalSurface& surface) {
     std::vector<bsdf::AskedFlake>& flakes = memory_.asked;
@@ -264,10 +264,10 @@ void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
                            .surface_pdf = flake.pdf,
                            .weighable = true,
                            .narrow_light = surface.narrow_light};
-        brightness[k] = flake.strength * scene_.lights->brightness(hit.position_mm, direction,
-                                                                   [&](const LightPdf& pdf) {
-                                                                       return weight(along, pdf);
-                                                                   });
+        brightness[k] = flake.strength * scene_.lights->brightness(
+                                             hit.position_mm, direction, [&](const LightPdf& pdf) {
+                                                 return weight(along, pdf);
+                                             });
         strength[k] = flake.strength;
         answers += brightness[k];
         strengths += strength[k];

@@ -102,6 +102,8 @@ struct FlakeView {
     /// @param u      independent from lane to lane: in [0, 1) how far from the flake's own, and turns about it
     LobeSamples sample_lobes(const DiffractionLobe& lobe, Vec3f wi, int first,
                              const Vec2<FloatLanes>& u) const;
+    /// Body::depth of eight flakes.
+    FloatLanes depths(int first) const;
 
     /// The density of one of them, per unit square of slopes.
     float lobe_pdf(const DiffractionLobe& lobe, Vec3f wi, int flake, Vec2f slope) const;
@@ -195,7 +197,8 @@ inline Vec2f FlakeView::sample_slope(const DiffractionLobe& lobe, Vec3f wi, floa
 }
 
 inline FlakeView::LobeSamples FlakeView::sample_lobes(const DiffractionLobe& lobe, Vec3f wi,
-                                                      int first, const Vec2<FloatLanes>& u) const {
+                                                      int first,
+                                                      const Vec2<FloatLanes>& u) const {
     const FloatLanes x = load_lanes(&slope_x[first]), y = load_lanes(&slope_y[first]);
     const FloatLanes width = own_radius(lobe, wi, x, y, load_lanes(&lobe_radius[first]));
     // The inverse of 1 - (1 - t)^3, the distribution of t = r^2/w^2.
@@ -205,6 +208,13 @@ inline FlakeView::LobeSamples FlakeView::sample_lobes(const DiffractionLobe& lob
     const FloatLanes inverse = 1.0f / max_lanes(width * width, splat(1e-30f));
     return {x + r * wave.cosine, y + r * wave.sine,
             3 * std::numbers::inv_pi_v<float> * inverse * fall * fall};
+}
+
+inline FloatLanes FlakeView::depths(int first) const {
+    // As body() does it.
+    FloatLanes depth;
+    for (int lane = 0; lane < kLanes; ++lane) depth[lane] = body(first + lane).depth;
+    return depth;
 }
 
 inline float FlakeView::lobe_pdf(const DiffractionLobe& lobe, Vec3f wi, int k, Vec2f slope) const {

@@ -226,7 +226,6 @@ float BoundNacre::narrow_light(Vec3f wi) const {
 BoundNacre::BoundNacre(std::shared_ptr<const Nacre::Tables> tables, const Wavelengths& wavelengths)
     : BoundMicroflake(tables->smooth, wavelengths), tables_(std::move(tables)) {
     bind_rough_single();
-    eye_ = response_of_eye(wavelengths);
     for (const NacreSpecies& species : tables_->species) {
         films_.push_back(species.films ? species.films->bind(where()) : BoundFlakeFilms());
     }
@@ -390,20 +389,18 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
             ++layer;
         const sparkle::FlakeView& view = look[s];
         const NacreSpecies& species = tables_->species[s];
-        const FloatLanes depth = depth_there_and_back(layer, i);
+        const float depth = typical_depth(layer, i);
         const auto directions = static_cast<float>(species.directions);
         for (int first = 0; first < view.count; first += kLanes) {
             const int last = std::min(kLanes, view.count - first);
-            FloatLanes strength{};
-            for (int lane = 0; lane < last; ++lane) {
-                const int k = first + lane;
-                const Vec3f normal = normalize(Vec3f{view.slope_x[k], view.slope_y[k], 1});
-                const FloatLanes seen =
-                    relative_attenuation(s, layer, view, k, std::abs(dot(i.inside, normal)), depth,
-                                         pair ? &*pair : nullptr);
-                strength[lane] =
-                    species.fraction / directions * view.weight[k] * lane_sum(eye_ * seen);
+            const FloatLanes depths = view.depths(first);
+            FloatLanes exponent = -depth * depths;
+            if (pair) {
+                for (int lane = 0; lane < last; ++lane)
+                    exponent[lane] += pair->gain(layer, depths[lane])[kLanes / 2];
             }
+            const FloatLanes strength = species.fraction / directions *
+                                        load_lanes(&view.weight[first]) * exp_lanes(exponent);
             const auto bits = hash_of(random, s, first);
             const UintLanes by_flake =
                 mix_bits_32(static_cast<std::uint32_t>(bits) +
