@@ -91,7 +91,7 @@ class PatchMemory {
     /// Room for the flakes of a patch that are asked, and a number for each; kept from patch to
     /// patch, so that nothing is allocated once the largest has been seen.
     std::vector<AskedFlake> asked;
-    std::vector<float> brightness, strength;
+    std::vector<float> brightness;
 
  private:
     struct Block {  // no value: whole vectors are written before they are read
