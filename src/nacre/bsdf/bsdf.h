@@ -88,10 +88,10 @@ class PatchMemory {
     std::byte* data() { return blocks_.empty() ? nullptr : blocks_[0].bytes; }
     /// Bits set by the surface once parts of data() tell about the patch.
     unsigned filled = 0;
-    /// Room for the flakes of a patch that are asked, and a number for each; kept from patch to
+    /// Room for the flakes of a patch that are asked, and two numbers for each; kept from patch to
     /// patch, so that nothing is allocated once the largest has been seen.
     std::vector<AskedFlake> asked;
-    std::vector<float> brightness;
+    std::vector<float> brightness, strength;
 
  private:
     struct Block {  // no value: whole vectors are written before they are read

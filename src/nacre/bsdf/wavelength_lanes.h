@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "nacre/bsdf/bsdf.h"
+#include "nacre/spectra/observer.h"
 #include "nacre/spectra/rgb.h"
 
 // Functions tabulated at a paint's wavelengths, interpolated at the eight that a surface is bound
@@ -51,6 +52,17 @@ FloatLanes at_wavelengths(const std::array<WavelengthPosition, kLanes>& where, F
         if (where[i].fraction == 0) return a;
         return a + where[i].fraction * (static_cast<float>(f(where[i].lower + 1)) - a);
     });
+}
+
+/// Weights, 1 in all, of what is seen at eight wavelengths: where samples should go. All three responses
+/// of the eye, as noise in blue is seen too.
+inline FloatLanes response_of_eye(const Wavelengths& wavelengths_nm) {
+    const FloatLanes response = make_lanes([&](int lane) {
+        const Vec3d xyz =
+            spectra::colour_matching(spectra::Observer::cie1931_2deg, wavelengths_nm[lane]);
+        return static_cast<float>(xyz.x + xyz.y + xyz.z) + 1e-6f;
+    });
+    return response * (1 / lane_sum(response));
 }
 
 /// Linear Rec. 709 as spectra at the eight wavelengths that a surface is bound to, by

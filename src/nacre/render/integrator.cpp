@@ -34,6 +34,18 @@ bool survives(FloatLanes& throughput, bool roulette, float number) {
     return !lost;
 }
 
+/// Of the numbers that are not 0, that in whose part of their sum `at` lies; none if all are 0.
+std::optional<std::size_t> chosen(const std::vector<float>& parts, float at) {
+    std::optional<std::size_t> last;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        if (parts[k] == 0) continue;
+        last = k;
+        if (at < parts[k]) break;
+        at -= parts[k];
+    }
+    return last;
+}
+
 }  // namespace
 
 Pass::Pass(const CompiledScene& scene, std::uint32_t index)
@@ -58,10 +70,12 @@ constexpr int kRouletteFrom = 4;
 constexpr float kMaxSpread = 0.2434f;
 /// Of a sample of a lobe, by its density.
 float lobe_of(float pdf) { return std::min(1 / pdf, kMaxSpread); }
-/// Fraction of the samples that choose a flake whatever light it sees.
-constexpr float kBlind = 0.1f;
+/// Fraction of the samples that choose a second flake, whatever light it sees.
+constexpr float kBlind = 0.125f;
 /// The sampler's vertex for the choice among flakes, beyond those of any path.
 constexpr std::uint32_t kFlakeVertex = 1u << 16;
+/// The sampler's vertex for the path of the second one.
+constexpr std::uint32_t kBlindFlakeVertex = 1u << 17;
 /// The sampler's first vertex of the path that begins with a specular reflection traced besides.
 constexpr std::uint32_t kSpecularVertex = 1u << 18;
 
@@ -72,6 +86,8 @@ struct Branch {
     /// Where neighbouring rays run; none after other than specular reflections.
     std::optional<RayDifferential> differential = {};
     WithMean throughput{splat(1.0f), splat(1.0f)};
+    /// Of what it meets next: factors of its throughput for a light, and for a surface.
+    float of_lights = 1, of_surfaces = 1;
     /// Density with which the last surface sampled the ray, if there is one. At the camera and
     /// after a specular reflection no light sample could have found the ray, and after a random
     /// walk the density is unknown: the light that the ray meets counts in full.
@@ -107,6 +123,7 @@ class PathTracer {
                       .differential = camera_ray_.differential};
         follow(camera);
         if (flake_) follow(*flake_);
+        if (blind_flake_) follow(*blind_flake_);
         if (specular_) follow(*specular_);
         return path_;
     }
@@ -154,8 +171,10 @@ class PathTracer {
         }
     }
     void gather(const Branch& branch, const WithMean& light) {
-        path_.radiance += branch.throughput.shown * light.shown;
-        if (options_.smooth) path_.smooth += branch.throughput.smooth * light.smooth;
+        path_.radiance += branch.of_lights * branch.throughput.shown * light.shown;
+        if (options_.smooth) {
+            path_.smooth += branch.of_lights * branch.throughput.smooth * light.smooth;
+        }
     }
     void gather(const Branch& branch, const FloatLanes& light) { gather(branch, {light, light}); }
 
@@ -167,8 +186,9 @@ class PathTracer {
     const PathOptions& options_;
     bsdf::PatchMemory& memory_;
     PathLight path_;
-    std::optional<Branch> flake_;     ///< the ray of the one that was chosen among those asked
-    std::optional<Branch> specular_;  ///< the reflection at the first surface, traced besides
+    std::optional<Branch> flake_;  ///< the ray of the one that was chosen by the light it sees
+    std::optional<Branch> blind_flake_;  ///< of one chosen whatever it sees
+    std::optional<Branch> specular_;     ///< the reflection at the first surface, traced besides
 };
 
 LocalSurface PathTracer::surface_at(const Hit& hit, Vec3f wi, const Branch& branch,
@@ -219,64 +239,70 @@ LocalSurface PathTracer::surface_at(const Hit& hit, Vec3f wi, const Branch& bran
 // Each flake of the patch is asked for the light that lights alone would send along the direction
 // in which it mirrors the eye. One is chosen by the answers, and its ray is followed: the choice
 // adds no noise but that of what stands in between.         [talbot-2005]
+//
+// Other surfaces reflect light as well, towards flakes that see no light themselves. So some samples
+// follow a second ray, of a flake chosen by strength alone. What surfaces send along either is weighed
+// against both choices by the balance heuristic [veach-1997, eq. 9.8]. What lights send counts along
+// the first alone: a ray chosen by a mixture of both densities would meet it in most samples and miss
+// it in some, which is noise.
 void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
                             const LocalSurface& surface) {
     std::vector<bsdf::AskedFlake>& flakes = memory_.asked;
     const std::array<float, PathSampler::kNumbers> u = sampler_.draw(kFlakeVertex);
     surface.bsdf.ask_flakes(*surface.patch, wi, static_cast<std::uint32_t>(u[0] * 0x1p24f) * 256u,
                             flakes);
-    const std::size_t count = flakes.size();
-    if (count == 0) return;
-    std::vector<float>& brightness = memory_.brightness;
-    brightness.resize(count);
+    // Of each flake, if it reflects to where the surface does.
+    std::vector<float>&brightness = memory_.brightness, &strength = memory_.strength;
+    brightness.assign(flakes.size(), 0.0f);
+    strength.assign(flakes.size(), 0.0f);
     float answers = 0, strengths = 0;
-    for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t k = 0; k < flakes.size(); ++k) {
         const bsdf::AskedFlake& flake = flakes[k];
         const Vec3f direction = frame.to_world(flake.wo);
-        brightness[k] = 0;
-        if (dot(direction, hit.geometric_normal) > 0) {
-            const Branch along{.ray = {},
-                               .surface_pdf = flake.pdf,
-                               .weighable = true,
-                               .narrow_light = surface.narrow_light};
-            brightness[k] =
-                flake.strength *
-                scene_.lights->brightness(hit.position_mm, direction,
-                                          [&](const LightPdf& pdf) { return weight(along, pdf); });
-        }
+        if (dot(direction, hit.geometric_normal) <= 0) continue;
+        const Branch along{.ray = {},
+                           .surface_pdf = flake.pdf,
+                           .weighable = true,
+                           .narrow_light = surface.narrow_light};
+        brightness[k] = flake.strength * scene_.lights->brightness(hit.position_mm, direction,
+                                                                   [&](const LightPdf& pdf) {
+                                                                       return weight(along, pdf);
+                                                                   });
+        strength[k] = flake.strength;
         answers += brightness[k];
-        strengths += flake.strength;
+        strengths += strength[k];
     }
-    // Some of the samples choose by strength alone: other surfaces reflect light as well.
+    if (!(strengths > 0)) return;
+    // Densities, in flakes, of both choices.
     const float blind = answers > 0 ? kBlind : 1.0f;
-    const bool by_strength = u[1] < blind;
-    float rest = by_strength ? u[1] / blind * strengths : (u[1] - blind) / (1 - blind) * answers;
-    std::optional<std::size_t> chosen;
-    for (std::size_t k = 0; k < count; ++k) {
-        const float part = by_strength ? flakes[k].strength : brightness[k];
-        if (part == 0) continue;
-        chosen = k;
-        if (rest < part) break;
-        rest -= part;
+    const auto by_light = [&](std::size_t k) { return answers > 0 ? brightness[k] / answers : 0; };
+    const auto by_strength = [&](std::size_t k) { return blind * strength[k] / strengths; };
+    const auto follow_flake = [&](std::optional<Branch>& ray, std::size_t k, float density,
+                                  float of_lights, float of_surfaces, std::uint32_t vertex) {
+        const bsdf::AskedFlake& flake = flakes[k];
+        const FloatLanes throughput =
+            (surface.asked_weight / density) * surface.bsdf.flake_weight(*surface.patch, wi, flake);
+        if (!(lane_max(throughput) > 0)) return;
+        ray = Branch{.ray = {hit.origin(), frame.to_world(flake.wo)},
+                     .depth = 1,
+                     .throughput = {throughput, {}},
+                     .of_lights = of_lights,
+                     .of_surfaces = of_surfaces,
+                     .surface_pdf = flake.pdf,
+                     .weighable = true,
+                     .narrow_light = surface.narrow_light,
+                     .first_vertex = vertex + 1,
+                     .lobe = lobe_of(flake.pdf)};
+    };
+    if (const auto k = chosen(brightness, u[2] * answers)) {
+        const float both = by_light(*k) + by_strength(*k);
+        follow_flake(flake_, *k, by_light(*k), 1, by_light(*k) / both, kFlakeVertex);
     }
-    if (!chosen) return;
-    const bsdf::AskedFlake& flake = flakes[*chosen];
-    const float probability = blind * flake.strength / strengths +
-                              (answers > 0 ? (1 - blind) * brightness[*chosen] / answers : 0.0f);
-    if (!(probability > 0)) return;
-    const Vec3f direction = frame.to_world(flake.wo);
-    if (dot(direction, hit.geometric_normal) <= 0) return;
-    const FloatLanes throughput =
-        (surface.asked_weight / probability) * surface.bsdf.flake_weight(*surface.patch, wi, flake);
-    if (!(lane_max(throughput) > 0)) return;
-    flake_ = Branch{.ray = {hit.origin(), direction},
-                    .depth = 1,
-                    .throughput = {throughput, {}},
-                    .surface_pdf = flake.pdf,
-                    .weighable = true,
-                    .narrow_light = surface.narrow_light,
-                    .first_vertex = kFlakeVertex + 1,
-                    .lobe = lobe_of(flake.pdf)};
+    if (u[1] >= blind) return;
+    if (const auto k = chosen(strength, u[1] / blind * strengths)) {
+        const float both = by_light(*k) + by_strength(*k);
+        follow_flake(blind_flake_, *k, both, 0, 1, kBlindFlakeVertex);
+    }
 }
 
 void PathTracer::follow(Branch& branch) {
@@ -302,6 +328,9 @@ void PathTracer::follow(Branch& branch) {
         }
         const Frame frame = Frame::around(hit->shading_normal);
         const Vec3f wi = frame.to_local(-branch.ray.direction);
+        branch.throughput.shown *= branch.of_surfaces;
+        branch.throughput.smooth *= branch.of_surfaces;
+        branch.of_lights = branch.of_surfaces = 1;
         if (bound(*hit).transmits()) {
             const FloatLanes left = bound(*hit).passed(hit->distance_mm);
             branch.throughput.shown *= left;

@@ -98,12 +98,10 @@ struct FlakeView {
     struct LobeSamples {
         FloatLanes x, y, pdf;
     };
-    /// @param first   of the eight, a multiple of kLanes
-    /// @param random  bits, independent from lane to lane
+    /// @param first  of the eight, a multiple of kLanes
+    /// @param u      independent from lane to lane: in [0, 1) how far from the flake's own, and turns about it
     LobeSamples sample_lobes(const DiffractionLobe& lobe, Vec3f wi, int first,
-                             UintLanes random) const;
-    /// Body::depth of eight flakes.
-    FloatLanes depths(int first) const;
+                             const Vec2<FloatLanes>& u) const;
 
     /// The density of one of them, per unit square of slopes.
     float lobe_pdf(const DiffractionLobe& lobe, Vec3f wi, int flake, Vec2f slope) const;
@@ -197,25 +195,16 @@ inline Vec2f FlakeView::sample_slope(const DiffractionLobe& lobe, Vec3f wi, floa
 }
 
 inline FlakeView::LobeSamples FlakeView::sample_lobes(const DiffractionLobe& lobe, Vec3f wi,
-                                                      int first, UintLanes random) const {
+                                                      int first, const Vec2<FloatLanes>& u) const {
     const FloatLanes x = load_lanes(&slope_x[first]), y = load_lanes(&slope_y[first]);
     const FloatLanes width = own_radius(lobe, wi, x, y, load_lanes(&lobe_radius[first]));
-    // The least of three even numbers has the distribution 1 - (1 - t)^3 of r^2/w^2.
-    const UintLanes a = mix_bits_32(random), b = mix_bits_32(a ^ 0x9e3779b9u);
-    const FloatLanes t =
-        min_lanes(min_lanes(lower_half(a), upper_half(a)), lower_half(b)) * 0x1p-16f + 0x1p-17f;
-    const FloatLanes r = width * sqrt_lanes(t);
-    const auto wave = cos_sin_turns(upper_half(b) * 0x1p-16f);
-    const FloatLanes inverse = 1.0f / max_lanes(width * width, splat(1e-30f)), fall = 1.0f - t;
+    // The inverse of 1 - (1 - t)^3, the distribution of t = r^2/w^2.
+    const FloatLanes fall = exp_lanes(log_lanes(1.0f - u.x) * (1.0f / 3));
+    const FloatLanes r = width * sqrt_lanes(max_lanes(1.0f - fall, FloatLanes{}));
+    const auto wave = cos_sin_turns(u.y);
+    const FloatLanes inverse = 1.0f / max_lanes(width * width, splat(1e-30f));
     return {x + r * wave.cosine, y + r * wave.sine,
             3 * std::numbers::inv_pi_v<float> * inverse * fall * fall};
-}
-
-inline FloatLanes FlakeView::depths(int first) const {
-    // As body() does it.
-    FloatLanes depth;
-    for (int lane = 0; lane < kLanes; ++lane) depth[lane] = body(first + lane).depth;
-    return depth;
 }
 
 inline float FlakeView::lobe_pdf(const DiffractionLobe& lobe, Vec3f wi, int k, Vec2f slope) const {

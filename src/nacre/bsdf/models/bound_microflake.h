@@ -195,10 +195,9 @@ class BoundMicroflake : public BoundBsdf {
     template <class Value>
     std::optional<BsdfSample> sample_by(const Ray& i, float u_select, Vec2f u,
                                         const Value& value_to) const;
-    /// Of one layer there and back along a direction, at one wavelength in the middle.
-    float typical_depth(std::size_t layer, const Ray& i) const {
-        return 2 * layers_[layer].thickness_um * i.look_up(layers_[layer].extinction)[kLanes / 2] /
-               i.inside.z;
+    /// Optical, of one layer along a direction.
+    FloatLanes depth_there_and_back(std::size_t layer, const Ray& i) const {
+        return 2 * layers_[layer].thickness_um / i.inside.z * i.look_up(layers_[layer].extinction);
     }
     /// The specular reflection of a smooth interface, chosen with this probability.
     BsdfSample specular_sample(Vec3f wi, float probability) const;

@@ -7,7 +7,6 @@
 #include "nacre/optics/fresnel.h"
 #include "nacre/paint/beckmann.h"
 #include "nacre/solver/rough_interface.h"
-#include "nacre/spectra/observer.h"
 
 // How the micro-flake model is sampled: what depends on the paint alone.
 
@@ -66,19 +65,13 @@ constexpr float kDiffuse = 1 / 30.0f;
 void tabulate_warp(Microflake::Tables& tables, const Bind& bind) {
     const std::vector<double>& grid = tables.paint->wavelengths_nm();
     Wavelengths wavelengths;
-    std::array<float, kLanes> weight;
-    float sum = 0;
     for (int i = 0; i < kLanes; ++i) {
         // Over what is seen; a paint that is solved elsewhere is taken at its ends.
         constexpr double kFirst_nm = 400, kLast_nm = 700;
         wavelengths[i] = std::clamp(kFirst_nm + (i + 0.5) / kLanes * (kLast_nm - kFirst_nm),
                                     grid.front(), grid.back());
-        // All three responses: noise in blue is seen as well.
-        const auto xyz = spectra::colour_matching(spectra::Observer::cie1931_2deg, wavelengths[i]);
-        weight[i] = static_cast<float>(xyz[0] + xyz[1] + xyz[2]) + 1e-6f;
-        sum += weight[i];
     }
-    const FloatLanes response = make_lanes([&](int i) { return weight[i] / sum; });
+    const FloatLanes response = response_of_eye(wavelengths);
     const auto bound = bind(wavelengths);
     const InterfaceLobe* const interface = bound->interface_lobe();
     const auto flux = [&](Vec3f wi, Vec3f wo) {

@@ -185,6 +185,7 @@ class BoundNacre final : public BoundMicroflake {
     std::vector<BoundFlakeFilms> films_;  // by species
     std::optional<HotSpot> hot_spot_;
     std::vector<HotSpot> hot_spot_nodes_;
+    FloatLanes eye_;  // response_of_eye()
 };
 
 }  // namespace nacre::bsdf

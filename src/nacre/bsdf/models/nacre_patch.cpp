@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <numbers>
 
 #include "nacre/bsdf/models/hot_spot_brdf.h"
 #include "nacre/bsdf/models/nacre.h"
@@ -225,6 +226,7 @@ float BoundNacre::narrow_light(Vec3f wi) const {
 BoundNacre::BoundNacre(std::shared_ptr<const Nacre::Tables> tables, const Wavelengths& wavelengths)
     : BoundMicroflake(tables->smooth, wavelengths), tables_(std::move(tables)) {
     bind_rough_single();
+    eye_ = response_of_eye(wavelengths);
     for (const NacreSpecies& species : tables_->species) {
         films_.push_back(species.films ? species.films->bind(where()) : BoundFlakeFilms());
     }
@@ -373,27 +375,45 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
                             std::vector<AskedFlake>& list) const {
     list.clear();
     constexpr UintLanes kNumber = {1, 2, 3, 4, 5, 6, 7, 8};
+    // Directions of one flake are a lattice, shifted at random [cranley-patterson-1976].
+    constexpr float kGolden = std::numbers::phi_v<float> - 1;
     if (wi.z <= 0) return;
     const Look look(*this, patch, wi);
     const Ray i = make_ray(wi);
+    // All of them as if the light came from where a flake that lies flat mirrors the eye.
+    const Ray mirrored = make_ray({-wi.x, -wi.y, wi.z});
+    std::optional<HotSpot::Pair> pair;
+    if (hot_spot_) pair.emplace(*hot_spot_, i, mirrored);
     std::size_t layer = 0;
     for (std::size_t s = 0; s < tables_->species.size(); ++s) {
         while (layer + 1 < tables_->first_species.size() && tables_->first_species[layer + 1] <= s)
             ++layer;
         const sparkle::FlakeView& view = look[s];
         const NacreSpecies& species = tables_->species[s];
-        const FloatLanes depth = splat(typical_depth(layer, i));
+        const FloatLanes depth = depth_there_and_back(layer, i);
         const auto directions = static_cast<float>(species.directions);
         for (int first = 0; first < view.count; first += kLanes) {
-            const FloatLanes strength = species.fraction / directions *
-                                        load_lanes(&view.weight[first]) *
-                                        exp_lanes(-view.depths(first) * depth);
             const int last = std::min(kLanes, view.count - first);
+            FloatLanes strength{};
+            for (int lane = 0; lane < last; ++lane) {
+                const int k = first + lane;
+                const Vec3f normal = normalize(Vec3f{view.slope_x[k], view.slope_y[k], 1});
+                const FloatLanes seen =
+                    relative_attenuation(s, layer, view, k, std::abs(dot(i.inside, normal)), depth,
+                                         pair ? &*pair : nullptr);
+                strength[lane] =
+                    species.fraction / directions * view.weight[k] * lane_sum(eye_ * seen);
+            }
+            const auto bits = hash_of(random, s, first);
+            const UintLanes by_flake =
+                mix_bits_32(static_cast<std::uint32_t>(bits) +
+                            kNumber * (static_cast<std::uint32_t>(bits >> 32) | 1u));
             for (int direction = 0; direction < species.directions; ++direction) {
-                const auto bits = hash_of(random, s, first + direction * view.count);
-                const UintLanes lanes = static_cast<std::uint32_t>(bits) +
-                                        kNumber * (static_cast<std::uint32_t>(bits >> 32) | 1u);
-                const auto half = view.sample_lobes(species.field.lobe(), i.inside, first, lanes);
+                const auto n = static_cast<float>(direction);
+                const FloatLanes u = sparkle::lower_half(by_flake) * 0x1p-16f + n / directions;
+                const FloatLanes turns = sparkle::upper_half(by_flake) * 0x1p-16f + n * kGolden;
+                const auto half = view.sample_lobes(species.field.lobe(), i.inside, first,
+                                                    {u < 1.0f ? u : u - 1.0f, turns});
                 // The mirror image of w_i in a plane of this slope, and its refraction out.
                 const FloatLanes sec2 = 1.0f + half.x * half.x + half.y * half.y;
                 const FloatLanes twice =
