@@ -341,7 +341,9 @@ def test_a_furnace_shows_the_albedo(paints: Path) -> None:
 def test_flakes_lie_and_sparkle_as_in_nacre(paints: Path, tmp_path: Path) -> None:
     """1.3 mm of a panel, pixel by pixel: how far pictures agree that have no noise.
 
-    The products of pictures by different seeds are free of their noise.
+    The products of pictures by different seeds are free of their noise. Mitsuba takes more samples,
+    as the few that find a flake make its noise: four pictures of 256 samples differ from other four
+    by 1.6 % (standard deviation of eight such sets), those of 2048 by less than 1 %.
     """
     seeds = 4
     camera = Camera(position_mm=(0, 0, 300), up=(0, 1, 0), fov_deg=0.25)
@@ -366,7 +368,7 @@ def test_flakes_lie_and_sparkle_as_in_nacre(paints: Path, tmp_path: Path) -> Non
         return float((products.sum() - np.trace(products)) / (seeds * (seeds - 1)))
 
     a = contrasts(lambda seed: bins(picture(scene, paint, 1024, seed, "nacre")))
-    b = contrasts(spectral(loaded, 256))
+    b = contrasts(spectral(loaded, 2048))
     want, got = squared(a), squared(b)
     assert want > 1  # it sparkles
     assert np.sqrt(got / want) == pytest.approx(1, abs=0.03)
