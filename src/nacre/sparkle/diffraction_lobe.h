@@ -135,6 +135,11 @@ class DiffractionLobe {
     /// P, per unit area of slopes.
     float slope_density(float slope2) const { return norm_ * std::exp(-exponent(slope2)); }
 
+    /// Half of all flakes' surfaces lean more.
+    float median_slope() const {
+        return std::sqrt(std::numbers::ln2_v<float> / inverse_alpha2_);
+    }
+
     float exponent(float slope2) const { return slope2 * inverse_alpha2_; }
 
     /// Flakes of a larger (slope / alpha)^2, one in a million, are not resolved.

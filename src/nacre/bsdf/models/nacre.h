@@ -143,6 +143,7 @@ class BoundNacre final : public BoundMicroflake {
     class FlakesOfPatch;
     class BesideFlakes;
     class SomeFlakes;
+    class AllOfSpecies;
 
     // The flakes of a patch, by species: in its memory or, where it has none, in one of its own.
     class Look {
@@ -173,6 +174,49 @@ class BoundNacre final : public BoundMicroflake {
     FloatLanes relative_attenuation(std::size_t species, std::size_t layer,
                                     const sparkle::FlakeView& view, int flake, float cosine,
                                     const FloatLanes& depth, const HotSpot::Pair* pair) const;
+    // What the eye sees along w_i of flakes of one species, each of which mirrors it up into w_o: a guess,
+    // by sqrt(1 - cos theta) outside at even steps, which are nearly even angles.
+    struct SeenFlakes {
+        static constexpr int kIntervals = 16;
+        static constexpr int kNodes = kIntervals + 1;
+        template <class T>
+        using ByCosine = std::array<T, kNodes>;
+        static float cosine(int node) {
+            const float x = static_cast<float>(node) / kIntervals;
+            return std::max(1 - x * x, 0.02f);
+        }
+        /// Between the nodes of tables by cosine.
+        struct Place {
+            int node;
+            float fraction;
+            explicit Place(float cosine) {
+                const float x = kIntervals * std::sqrt(std::max(1 - cosine, 0.0f));
+                node = std::min(static_cast<int>(x), kIntervals - 1);
+                fraction = x - static_cast<float>(node);
+            }
+            template <class T>
+            T in(const ByCosine<T>& table) const {
+                return table[node] + fraction * (table[node + 1] - table[node]);
+            }
+        };
+        /// By cosine of w_i, with nothing in its layer above the flake, for w_o of typical_mirrored().
+        ByCosine<FloatLanes> light{};
+        /// By cosines of w_i and w_o: with what lies above the mean flake, over that for that w_o.
+        ByCosine<ByCosine<float>> relative{};
+        /// By cosine of w_o alone.
+        ByCosine<float> towards(const Place& wi) const {
+            ByCosine<float> row;
+            for (int o = 0; o < kNodes; ++o) {
+                row[o] = relative[wi.node][o] +
+                         wi.fraction * (relative[wi.node + 1][o] - relative[wi.node][o]);
+            }
+            return row;
+        }
+    };
+    // Where a flake mirrors w_i that leans sideways as far as half of them do; if it mirrors it down or
+    // back into the coat, as one that lies flat. There the hot spot is as it is for most of them.
+    Ray typical_mirrored(std::size_t species, const Ray& i) const;
+    SeenFlakes seen_flakes(std::size_t species, const FloatLanes& eye) const;
     // Per solid angle outside, of directions spread over the lobe of a typical flake that mirrors
     // wi upwards.
     float slope_density(std::size_t species, Vec3f wi) const;
@@ -185,7 +229,7 @@ class BoundNacre final : public BoundMicroflake {
     std::vector<BoundFlakeFilms> films_;  // by species
     std::optional<HotSpot> hot_spot_;
     std::vector<HotSpot> hot_spot_nodes_;
-    FloatLanes eye_;  // response_of_eye()
+    std::vector<SeenFlakes> seen_flakes_;  // by species
 };
 
 }  // namespace nacre::bsdf

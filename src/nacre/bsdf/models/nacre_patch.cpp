@@ -23,6 +23,9 @@ constexpr float kWide = std::numeric_limits<float>::infinity();
 // of directions for which no single flake is sampled.
 constexpr float kMinMeanProbability = 0.15f;
 
+// Of what a flake is guessed to send, at the least: weights stay bounded where the guess is wrong.
+constexpr float kLeastSeen = 0.05f;
+
 // The half vector inside, as the flakes see it.
 struct HalfVector {
     Vec2f slope;
@@ -177,6 +180,30 @@ class BoundNacre::SomeFlakes : public WithHotSpot {
     int count_ = 0;
 };
 
+// In place of MeanFlakes: all flakes of one species, and nothing else.
+class BoundNacre::AllOfSpecies : public WithHotSpot {
+ public:
+    static constexpr bool kFlakesAlone = true;
+
+    /// @param bare  with nothing in their layer above them
+    AllOfSpecies(const BoundNacre& surface, std::size_t species, const Ray& i, const Ray& o, bool bare)
+        : WithHotSpot(surface, i, o), surface_(surface), species_(species), bare_(bare) {}
+
+    bool reflects(std::size_t layer, std::size_t flake) const {
+        return surface_.tables_->first_species[layer] + flake == species_;
+    }
+    FloatLanes factor(std::size_t layer, std::size_t flake, const FloatLanes& depth) const {
+        if (!bare_) return WithHotSpot::factor(layer, flake, depth);
+        const FloatLanes safe = max_lanes(depth, splat(1e-20f));
+        return safe / one_minus_exp_lanes(safe);
+    }
+
+ private:
+    const BoundNacre& surface_;
+    std::size_t species_;
+    bool bare_;
+};
+
 BoundNacre::Look::Look(const BoundNacre& surface, const Patch& patch, Vec3f wi)
     : own_(patch.memory ? 0 : surface.patch_memory_bytes()) {
     using sparkle::FlakeView;
@@ -226,13 +253,82 @@ float BoundNacre::narrow_light(Vec3f wi) const {
 BoundNacre::BoundNacre(std::shared_ptr<const Nacre::Tables> tables, const Wavelengths& wavelengths)
     : BoundMicroflake(tables->smooth, wavelengths), tables_(std::move(tables)) {
     bind_rough_single();
-    eye_ = response_of_eye(wavelengths);
     for (const NacreSpecies& species : tables_->species) {
         films_.push_back(species.films ? species.films->bind(where()) : BoundFlakeFilms());
     }
     if (tables_->hot_spot) hot_spot_.emplace(*tables_->hot_spot, where());
     for (const HotSpotTables& node : tables_->hot_spot_nodes)
         hot_spot_nodes_.emplace_back(node, where());
+    const FloatLanes eye = response_of_eye(wavelengths);
+    for (std::size_t s = 0; s < tables_->species.size(); ++s)
+        seen_flakes_.push_back(seen_flakes(s, eye));
+}
+
+Ray BoundNacre::typical_mirrored(std::size_t species, const Ray& i) const {
+    const sparkle::DiffractionLobe& lobe = tables_->species[species].field.lobe();
+    const float slope = lobe.median_slope() / std::max(i.sine, 1e-6f);
+    const Vec3f normal = i.sine > 1e-6f
+                             ? normalize(Vec3f{-slope * i.outside.y, slope * i.outside.x, 1})
+                             : normalize(Vec3f{lobe.median_slope(), 0, 1});
+    const auto wo = leave(2 * dot(i.inside, normal) * normal - i.inside);
+    return make_ray(wo ? *wo : Vec3f{-i.outside.x, -i.outside.y, i.outside.z});
+}
+
+BoundNacre::SeenFlakes BoundNacre::seen_flakes(std::size_t species, const FloatLanes& eye) const {
+    const sparkle::FlakeField& field = tables_->species[species].field;
+    const sparkle::DiffractionLobe& lobe = field.lobe();
+    sparkle::FlakeView view;  // of one typical flake
+    view.count = 1;
+    view.weight[0] = 1;
+    view.typical_radius = field.constants().typical_radius;
+    view.lobe_radius[0] = lobe.radius(static_cast<float>(field.population().diameter_um));
+    // Of a flake that mirrors w_i into w_o: what it sends there by flake_weight(), as an eye sees it,
+    // and how many there are of it.
+    struct Sent {
+        FloatLanes light{};
+        float flakes = 0;
+    };
+    const auto sent = [&](const Ray& i, const Ray& o, bool bare) {
+        const HalfVector half(i, o, coat());
+        if (!lobe.reaches(half.slope2)) return Sent{};
+        view.slope_x[0] = half.slope.x;
+        view.slope_y[0] = half.slope.y;
+        const float seen = view.fraction(lobe, half.slope, half.cosine, 0, half.spread2) *
+                           o.outside.z / flake_pdf(view, species, 0, i, o);
+        return Sent{seen * eye * single_value(i, o, AllOfSpecies(*this, species, i, o, bare)),
+                    lobe.slope_density(half.slope2) * half.per_solid_angle * solid_angle_ratio(o)};
+    };
+    SeenFlakes seen;
+    for (int a = 0; a < SeenFlakes::kNodes; ++a) {
+        const float cosine_i = SeenFlakes::cosine(a);
+        const Ray i = make_ray({std::sqrt(1 - cosine_i * cosine_i), 0, cosine_i});
+        const Ray typical = typical_mirrored(species, i);
+        const Sent bare = sent(i, typical, true), covered = sent(i, typical, false);
+        if (!(lane_sum(covered.light) > 0)) continue;
+        seen.light[a] = bare.light;
+        // Outwards from as steep as w_i; beyond the last flakes as there.
+        SeenFlakes::ByCosine<float>& relative = seen.relative[a];
+        const auto fill = [&](int b, int before) {
+            const float cosine = SeenFlakes::cosine(b), sine = std::sqrt(1 - cosine * cosine);
+            // In directions half around from where a flake that lies flat mirrors w_i.
+            constexpr int kAzimuths = 4;
+            float light = 0, flakes = 0;
+            for (int n = 0; n < kAzimuths; ++n) {
+                const float phi = std::numbers::pi_v<float> * n / (kAzimuths - 1);
+                const Ray o = make_ray({-sine * std::cos(phi), sine * std::sin(phi), cosine});
+                const Sent there = sent(i, o, false);
+                const float weight = n == 0 || n == kAzimuths - 1 ? 0.5f : 1.0f;
+                light += weight * there.flakes * lane_sum(there.light);
+                flakes += weight * there.flakes;
+            }
+            relative[b] = flakes > 0
+                              ? std::max(light / (flakes * lane_sum(covered.light)), kLeastSeen)
+                              : relative[before];
+        };
+        for (int b = a; b >= 0; --b) fill(b, b + 1);
+        for (int b = a + 1; b < SeenFlakes::kNodes; ++b) fill(b, b - 1);
+    }
+    return seen;
 }
 
 FloatLanes BoundNacre::mean_value(const Ray& i, const Ray& o) const {
@@ -380,10 +476,7 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
     if (wi.z <= 0) return;
     const Look look(*this, patch, wi);
     const Ray i = make_ray(wi);
-    // All of them as if the light came from where a flake that lies flat mirrors the eye.
-    const Ray mirrored = make_ray({-wi.x, -wi.y, wi.z});
-    std::optional<HotSpot::Pair> pair;
-    if (hot_spot_) pair.emplace(*hot_spot_, i, mirrored);
+    const SeenFlakes::Place place(wi.z);
     std::size_t layer = 0;
     for (std::size_t s = 0; s < tables_->species.size(); ++s) {
         while (layer + 1 < tables_->first_species.size() && tables_->first_species[layer + 1] <= s)
@@ -391,6 +484,14 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
         const sparkle::FlakeView& view = look[s];
         const NacreSpecies& species = tables_->species[s];
         const FloatLanes depth = depth_there_and_back(layer, i);
+        const SeenFlakes& flakes = seen_flakes_[s];
+        const FloatLanes light = place.in(flakes.light);
+        const auto relative = flakes.towards(place);
+        // What lies above each of them as if the light came from there: that it comes from elsewhere
+        // changes all nearly alike.
+        const Ray typical = typical_mirrored(s, i);
+        std::optional<HotSpot::Pair> pair;
+        if (hot_spot_) pair.emplace(*hot_spot_, i, typical);
         const auto directions = static_cast<float>(species.directions);
         for (int first = 0; first < view.count; first += kLanes) {
             const int last = std::min(kLanes, view.count - first);
@@ -401,8 +502,7 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
                 const FloatLanes seen =
                     relative_attenuation(s, layer, view, k, std::abs(dot(i.inside, normal)), depth,
                                          pair ? &*pair : nullptr);
-                strength[lane] =
-                    species.fraction / directions * view.weight[k] * lane_sum(eye_ * seen);
+                strength[lane] = view.weight[k] * lane_sum(light * seen);
             }
             const auto bits = hash_of(random, s, first);
             const UintLanes by_flake =
@@ -431,7 +531,7 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
                     if (!leaves[lane]) continue;
                     list.push_back({{ox[lane], oy[lane], oz[lane]},
                                     pdf[lane],
-                                    strength[lane],
+                                    strength[lane] * SeenFlakes::Place(oz[lane]).in(relative),
                                     static_cast<int>(s),
                                     first + lane});
                 }
