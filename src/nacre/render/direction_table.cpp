@@ -72,6 +72,7 @@ DirectionTable::DirectionTable(int columns, int rows, const std::function<float(
     : columns_(columns),
       rows_(rows),
       density_(static_cast<std::size_t>(columns) * rows),
+      brightness_(density_.size()),
       column_cdf_(static_cast<std::size_t>(columns + 1) * rows),
       row_cdf_(rows + 1),
       column_guide_(static_cast<std::size_t>(columns) * rows),
@@ -81,16 +82,19 @@ DirectionTable::DirectionTable(int columns, int rows, const std::function<float(
     double sphere = 0, all = 0;  // Int brightness d omega and Int d omega, for the mean
     for (int r = 0; r < rows; ++r) {
         for (int c = 0; c < columns; ++c) {
-            double sum = 0;
+            double sum = 0, angles = 0;
             for (int k = 0; k < kSubdivisions * kSubdivisions; ++k) {
                 const Vec2f square{(c + (k % kSubdivisions + 0.5f) / kSubdivisions) / columns,
                                    (r + (k / kSubdivisions + 0.5f) / kSubdivisions) / rows};
                 const Vec3f direction = from_square(square);
                 const double angle = 1 / jacobian(direction);
                 sum += brightness(direction) * angle;
-                all += angle;
+                angles += angle;
             }
-            cell[static_cast<std::size_t>(r) * columns + c] = sum;
+            const std::size_t at = static_cast<std::size_t>(r) * columns + c;
+            cell[at] = sum;
+            brightness_[at] = static_cast<float>(sum / angles);
+            all += angles;
             sphere += sum;
         }
     }
@@ -152,17 +156,19 @@ DirectionSample<T> DirectionTable::sample_at(Vec2<T> u) const {
     const Vec3<T> direction =
         from_square(Vec2<T>{(to_float(column.cell) + column.offset) / static_cast<float>(columns_),
                             (to_float(row.cell) + row.offset) / static_cast<float>(rows_)});
-    const T density = gather(density_.data(), row.cell * columns_ + column.cell);
-    return {direction, density * jacobian(direction)};
+    const auto cell = row.cell * columns_ + column.cell;
+    return {direction, gather(density_.data(), cell) * jacobian(direction),
+            gather(brightness_.data(), cell)};
 }
 template DirectionSample<float> DirectionTable::sample_at(Vec2f) const;
 template DirectionSample<FloatLanes> DirectionTable::sample_at(Vec2<FloatLanes>) const;
 
 float DirectionTable::pdf(Vec3f direction) const {
-    const Vec2f square = to_square(direction);
-    const int c = std::min(static_cast<int>(square.x * columns_), columns_ - 1);
-    const int r = std::min(static_cast<int>(square.y * rows_), rows_ - 1);
-    return density_[static_cast<std::size_t>(r) * columns_ + c] * jacobian(direction);
+    return density_[cell_of(direction)] * jacobian(direction);
+}
+
+float DirectionTable::brightness(Vec3f direction) const {
+    return brightness_[cell_of(direction)];
 }
 
 }  // namespace nacre::render

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -20,7 +22,8 @@ namespace nacre::render {
 template <class T>
 struct DirectionSample {
     Vec3<T> direction;
-    T pdf;  ///< per solid angle
+    T pdf;         ///< per solid angle
+    T brightness;  ///< of the cell, its mean
 };
 
 class DirectionTable {
@@ -33,6 +36,8 @@ class DirectionTable {
     DirectionSample<float> sample(Vec2f u) const { return sample_at(u); }
     DirectionSample<FloatLanes> sample(Vec2<FloatLanes> u) const { return sample_at(u); }
     float pdf(Vec3f direction) const;
+    /// Of the cell, its mean.
+    float brightness(Vec3f direction) const;
     /// Mean of the brightness over the sphere.
     float mean_brightness() const { return mean_; }
 
@@ -45,6 +50,12 @@ class DirectionTable {
  private:
     template <class T>
     DirectionSample<T> sample_at(Vec2<T> u) const;
+    std::size_t cell_of(Vec3f direction) const {
+        const Vec2f square = to_square(direction);
+        const int c = std::min(static_cast<int>(square.x * columns_), columns_ - 1);
+        const int r = std::min(static_cast<int>(square.y * rows_), rows_ - 1);
+        return static_cast<std::size_t>(r) * columns_ + c;
+    }
 
     int columns_, rows_;
     float mean_ = 0;
@@ -53,6 +64,7 @@ class DirectionTable {
     using Guide = std::vector<std::uint16_t>;
 
     std::vector<float> density_;     // per cell, mean 1 over the square
+    std::vector<float> brightness_;  // per cell, its mean
     std::vector<float> column_cdf_;  // per row: columns + 1 values
     std::vector<float> row_cdf_;     // rows + 1 values
     Guide column_guide_;             // per row: columns values

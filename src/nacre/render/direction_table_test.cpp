@@ -123,6 +123,17 @@ TEST(DirectionTable, BlackEnvironmentIsSampledUniformly) {
     EXPECT_NEAR(length(s.direction), 1, 1e-6);
 }
 
+// The density is not: it goes with the map to the square, by a factor of two within a cell.
+TEST(DirectionTable, AnEvenSkyIsEven) {
+    const DirectionTable t(1, 1, [](Vec3f) { return 3.0f; });
+    for (std::uint32_t i = 0; i < 100; ++i) {
+        const auto u = PathSampler(0, 4, i).draw(0);
+        const DirectionSample<float> s = t.sample({u[0], u[1]});
+        EXPECT_FLOAT_EQ(s.brightness, 3);
+        EXPECT_FLOAT_EQ(t.brightness(s.direction), 3);
+    }
+}
+
 TEST(DirectionTable, MeanBrightnessIsTheMeanOverTheSphere) {
     const DirectionTable t(64, 64, [](Vec3f d) { return d.z * d.z; });
     EXPECT_NEAR(t.mean_brightness(), 1.0 / 3, 1e-3);

@@ -75,7 +75,7 @@ constexpr float kBlind = 0.125f;
 /// The sampler's vertex for the choice among flakes, beyond those of any path.
 constexpr std::uint32_t kFlakeVertex = 1u << 16;
 /// The sampler's vertex for the path of the second one.
-constexpr std::uint32_t kBlindFlakeVertex = 1u << 17;
+constexpr std::uint32_t kBlindFlakeVertex = 3u << 16;
 /// The sampler's first vertex of the path that begins with a specular reflection traced besides.
 constexpr std::uint32_t kSpecularVertex = 1u << 18;
 

@@ -90,8 +90,6 @@ LightSet::LightSet(const std::vector<Light>& lights, const std::optional<Environ
             alone_.environment.emplace(compiled.table_columns, compiled.table_rows, luminance);
         const float mean = all.mean_brightness();
         add(Kind::environment, 0, std::numbers::pi * mean);
-        constexpr auto kSphere = static_cast<float>(4 * std::numbers::pi);
-        alone_.luminance_per_density = kSphere * mean;
         colours_ = colours_of(*environment_);
         const DirectionTable& peaks = beside_.environment.emplace(
             compiled.table_columns, compiled.table_rows,
@@ -101,7 +99,6 @@ LightSet::LightSet(const std::vector<Light>& lights, const std::optional<Environ
         if (peaks.mean_brightness() > kMin * mean) {
             peaks_estimate = std::numbers::pi * peaks.mean_brightness();
             beside_.dimmest = mean;
-            beside_.luminance_per_density = kSphere * peaks.mean_brightness();
         } else {
             beside_.environment.reset();
         }
@@ -245,7 +242,7 @@ LightDirection<T> LightSet::draw(const Choice& choice, const Entry& entry, Vec3f
                     .distance = all(kInfinity),
                     .pdf = choice.environment_probability * s.pdf,
                     .density = s.pdf,
-                    .brightness = choice.dimmest + choice.luminance_per_density * s.pdf};
+                    .brightness = choice.dimmest + s.brightness};
         }
         case Kind::sun: {
             const T drop = 0.5f * sun_->chord_squared * u.x;  // 1 - cos

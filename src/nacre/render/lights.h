@@ -128,8 +128,7 @@ class LightSet {
         std::optional<DirectionTable> environment;
         std::vector<float> rectangle_probability;
         float environment_probability = 0;
-        /// Of the luminance in an environment's direction: at least, and per density.
-        float dimmest = 0, luminance_per_density = 0;
+        float dimmest = 0;  ///< luminance of an environment over which its table is
         LightPdf sun;
     };
     /// Per solid angle, of points that are even over a rectangle; 0 on its dark side.
@@ -185,8 +184,7 @@ template <class Weight>
 float LightSet::brightness(Vec3f point_mm, Vec3f direction, const Weight& weight) const {
     float sum = 0;
     if (environment_) {
-        sum += weight(environment_pdf(direction)) * alone_.luminance_per_density *
-               alone_.environment->pdf(direction);
+        sum += weight(environment_pdf(direction)) * alone_.environment->brightness(direction);
     }
     if (sun_ && sun_->contains(direction)) {
         sum += weight(beside_.sun) * static_cast<float>(sun_->luminance);
