@@ -68,9 +68,10 @@ inline float power_heuristic(float own, float other) {
 
 /// A flake of a patch, asked where the light that it reflects comes from (BoundBsdf::ask_flakes).
 struct AskedFlake {
-    Vec3f wo;            ///< a direction out of its lobe
-    float pdf = 0;       ///< directions of this flake in all, per solid angle at wo
-    float strength = 0;  ///< roughly what it reflects of light from wo, to choose among flakes by
+    Vec3f wo;       ///< a direction out of its lobe
+    float pdf = 0;  ///< directions of this flake in all, per solid angle at wo
+    /// Nearly in proportion to flake_weight(), as an eye sees it: to choose among flakes by.
+    float strength = 0;
     int species = 0, flake = 0;
 };
 

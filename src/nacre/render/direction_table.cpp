@@ -167,8 +167,6 @@ float DirectionTable::pdf(Vec3f direction) const {
     return density_[cell_of(direction)] * jacobian(direction);
 }
 
-float DirectionTable::brightness(Vec3f direction) const {
-    return brightness_[cell_of(direction)];
-}
+float DirectionTable::brightness(Vec3f direction) const { return brightness_[cell_of(direction)]; }
 
 }  // namespace nacre::render

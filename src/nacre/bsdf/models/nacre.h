@@ -177,7 +177,7 @@ class BoundNacre final : public BoundMicroflake {
     // What the eye sees along w_i of flakes of one species, each of which mirrors it up into w_o: a guess,
     // by sqrt(1 - cos theta) outside at even steps, which are nearly even angles.
     struct SeenFlakes {
-        static constexpr int kIntervals = 16;
+        static constexpr int kIntervals = 12;
         static constexpr int kNodes = kIntervals + 1;
         template <class T>
         using ByCosine = std::array<T, kNodes>;

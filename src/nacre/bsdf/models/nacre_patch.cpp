@@ -186,7 +186,8 @@ class BoundNacre::AllOfSpecies : public WithHotSpot {
     static constexpr bool kFlakesAlone = true;
 
     /// @param bare  with nothing in their layer above them
-    AllOfSpecies(const BoundNacre& surface, std::size_t species, const Ray& i, const Ray& o, bool bare)
+    AllOfSpecies(const BoundNacre& surface, std::size_t species, const Ray& i, const Ray& o,
+                 bool bare)
         : WithHotSpot(surface, i, o), surface_(surface), species_(species), bare_(bare) {}
 
     bool reflects(std::size_t layer, std::size_t flake) const {
@@ -282,8 +283,8 @@ BoundNacre::SeenFlakes BoundNacre::seen_flakes(std::size_t species, const FloatL
     view.weight[0] = 1;
     view.typical_radius = field.constants().typical_radius;
     view.lobe_radius[0] = lobe.radius(static_cast<float>(field.population().diameter_um));
-    // Of a flake that mirrors w_i into w_o: what it sends there by flake_weight(), as an eye sees it,
-    // and how many there are of it.
+    // Of a flake that mirrors w_i into w_o: what it sends there by flake_weight(), as an eye sees it, and
+    // how many do, per solid angle.
     struct Sent {
         FloatLanes light{};
         float flakes = 0;
@@ -311,7 +312,7 @@ BoundNacre::SeenFlakes BoundNacre::seen_flakes(std::size_t species, const FloatL
         const auto fill = [&](int b, int before) {
             const float cosine = SeenFlakes::cosine(b), sine = std::sqrt(1 - cosine * cosine);
             // In directions half around from where a flake that lies flat mirrors w_i.
-            constexpr int kAzimuths = 4;
+            constexpr int kAzimuths = 3;
             float light = 0, flakes = 0;
             for (int n = 0; n < kAzimuths; ++n) {
                 const float phi = std::numbers::pi_v<float> * n / (kAzimuths - 1);
