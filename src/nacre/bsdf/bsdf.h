@@ -60,10 +60,11 @@ struct BsdfValue {
 
 /// Weight of a way to sample with density `own` where another has density `other`: the power
 /// heuristic with exponent 2.                                          [veach-1997, eq. 9.13]
-inline float power_heuristic(float own, float other) {
+template <class T>
+T power_heuristic(const T& own, const T& other) {
     // By the ratio: the squares of densities of a small sun and a sharp lobe could overflow.
-    const float ratio = other / own;
-    return 1 / (1 + ratio * ratio);
+    const T ratio = other / own;
+    return 1.0f / (1.0f + ratio * ratio);
 }
 
 /// A flake of a patch, asked where the light that it reflects comes from (BoundBsdf::ask_flakes).

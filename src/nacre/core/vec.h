@@ -102,6 +102,9 @@ struct Frame {
         return {dot(v, splat(s)), dot(v, splat(t)), dot(v, splat(n))};
     }
     Vec3f to_world(Vec3f v) const { return v.x * s + v.y * t + v.z * n; }
+    Vec3Lanes to_world(const Vec3Lanes& v) const {
+        return v.x * splat(s) + v.y * splat(t) + v.z * splat(n);
+    }
 };
 
 }  // namespace nacre

@@ -163,10 +163,27 @@ DirectionSample<T> DirectionTable::sample_at(Vec2<T> u) const {
 template DirectionSample<float> DirectionTable::sample_at(Vec2f) const;
 template DirectionSample<FloatLanes> DirectionTable::sample_at(Vec2<FloatLanes>) const;
 
-float DirectionTable::pdf(Vec3f direction) const {
-    return density_[cell_of(direction)] * jacobian(direction);
+template <class T>
+auto DirectionTable::cell_of(const Vec3<T>& direction) const {
+    const Vec2<T> square = to_square(direction);
+    const auto below = [](const T& x, int count) {
+        return min_lanes(whole(x * static_cast<float>(count)), whole(T{}) + (count - 1));
+    };
+    return below(square.y, rows_) * columns_ + below(square.x, columns_);
 }
 
-float DirectionTable::brightness(Vec3f direction) const { return brightness_[cell_of(direction)]; }
+template <class T>
+T DirectionTable::pdf(const Vec3<T>& direction) const {
+    return gather(density_.data(), cell_of(direction)) * jacobian(direction);
+}
+template float DirectionTable::pdf(const Vec3f&) const;
+template FloatLanes DirectionTable::pdf(const Vec3Lanes&) const;
+
+template <class T>
+T DirectionTable::brightness(const Vec3<T>& direction) const {
+    return gather(brightness_.data(), cell_of(direction));
+}
+template float DirectionTable::brightness(const Vec3f&) const;
+template FloatLanes DirectionTable::brightness(const Vec3Lanes&) const;
 
 }  // namespace nacre::render

@@ -35,9 +35,11 @@ class DirectionTable {
 
     DirectionSample<float> sample(Vec2f u) const { return sample_at(u); }
     DirectionSample<FloatLanes> sample(Vec2<FloatLanes> u) const { return sample_at(u); }
-    float pdf(Vec3f direction) const;
+    template <class T>
+    T pdf(const Vec3<T>& direction) const;
     /// Of the cell, its mean.
-    float brightness(Vec3f direction) const;
+    template <class T>
+    T brightness(const Vec3<T>& direction) const;
     /// Mean of the brightness over the sphere.
     float mean_brightness() const { return mean_; }
 
@@ -50,12 +52,8 @@ class DirectionTable {
  private:
     template <class T>
     DirectionSample<T> sample_at(Vec2<T> u) const;
-    std::size_t cell_of(Vec3f direction) const {
-        const Vec2f square = to_square(direction);
-        const int c = std::min(static_cast<int>(square.x * columns_), columns_ - 1);
-        const int r = std::min(static_cast<int>(square.y * rows_), rows_ - 1);
-        return static_cast<std::size_t>(r) * columns_ + c;
-    }
+    template <class T>
+    auto cell_of(const Vec3<T>& direction) const;
 
     int columns_, rows_;
     float mean_ = 0;

@@ -43,6 +43,10 @@ struct DistantDisk {
     double luminance = 0;
 
     bool contains(Vec3f d) const { return dot(d - direction, d - direction) <= chord_squared; }
+    IntLanes contains(const Vec3Lanes& d) const {
+        const Vec3Lanes apart = d - splat(direction);
+        return dot(apart, apart) <= chord_squared;
+    }
 };
 
 struct CompiledEnvironment {

@@ -155,20 +155,25 @@ class PathTracer {
         const float by_pixel = branch.differential->solid_angle();
         return by_pixel < kMaxSpread ? by_pixel : kMaxSpread;
     }
-    /// Of light that the ray meets, of what light samples find with density `pdf`.
-    float weight(const Branch& branch, const LightPdf& pdf) const {
-        if (!branch.weighable) return 1.0f;
+    /// Of light that rays meet, of what light samples find with density `pdf`.
+    /// @param surface_pdf, narrow_light, light_samples  as of a Branch
+    template <class T>
+    T weight(const T& surface_pdf, float narrow_light, float light_samples,
+             const LightPdfs<T>& pdf) const {
         switch (options_.direct_light) {
             case DirectLight::surface_sampling:
-                return 1.0f;
+                return T{} + 1.0f;
             case DirectLight::light_sampling:
-                return 0.0f;
+                return T{};
             default:
-                return pdf.density > branch.narrow_light
-                           ? 0.0f
-                           : power_heuristic(branch.surface_pdf,
-                                             branch.light_samples * pdf.value());
+                return pdf.density > narrow_light
+                           ? T{}
+                           : power_heuristic(surface_pdf, T(light_samples * pdf.value()));
         }
+    }
+    float weight(const Branch& branch, const LightPdf& pdf) const {
+        if (!branch.weighable) return 1.0f;
+        return weight(branch.surface_pdf, branch.narrow_light, branch.light_samples, pdf);
     }
     void gather(const Branch& branch, const WithMean& light) {
         path_.radiance += branch.of_lights * branch.throughput.shown * light.shown;
@@ -256,21 +261,31 @@ void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
     brightness.assign(flakes.size(), 0.0f);
     strength.assign(flakes.size(), 0.0f);
     float answers = 0, strengths = 0;
-    for (std::size_t k = 0; k < flakes.size(); ++k) {
-        const bsdf::AskedFlake& flake = flakes[k];
-        const Vec3f direction = frame.to_world(flake.wo);
-        if (dot(direction, hit.geometric_normal) <= 0) continue;
-        const Branch along{.ray = {},
-                           .surface_pdf = flake.pdf,
-                           .weighable = true,
-                           .narrow_light = surface.narrow_light};
-        brightness[k] = flake.strength * scene_.lights->brightness(hit.position_mm, direction,
-                                                                   [&](const LightPdf& pdf) {
-                                                                       return weight(along, pdf);
-                                                                   });
-        strength[k] = flake.strength;
-        answers += brightness[k];
-        strengths += strength[k];
+    for (std::size_t first = 0; first < flakes.size(); first += kLanes) {
+        const std::size_t count = std::min<std::size_t>(kLanes, flakes.size() - first);
+        const auto of_each = [&](auto&& member) {
+            return make_lanes([&](int lane) {
+                return member(flakes[first + std::min<std::size_t>(lane, count - 1)]);
+            });
+        };
+        using Flake = bsdf::AskedFlake;
+        const Vec3Lanes direction =
+            frame.to_world(Vec3Lanes{of_each([](const Flake& flake) { return flake.wo.x; }),
+                                     of_each([](const Flake& flake) { return flake.wo.y; }),
+                                     of_each([](const Flake& flake) { return flake.wo.z; })});
+        const FloatLanes pdf = of_each([](const Flake& flake) { return flake.pdf; });
+        const FloatLanes light = scene_.lights->brightness(
+            hit.position_mm, direction, [&](const LightPdfs<FloatLanes>& of_light) {
+                return weight(pdf, surface.narrow_light, 1.0f, of_light);
+            });
+        const IntLanes leaves = dot(direction, splat(hit.geometric_normal)) > 0.0f;
+        for (std::size_t lane = 0; lane < count; ++lane) {
+            if (!leaves[lane]) continue;
+            strength[first + lane] = flakes[first + lane].strength;
+            brightness[first + lane] = strength[first + lane] * light[lane];
+            answers += brightness[first + lane];
+            strengths += strength[first + lane];
+        }
     }
     if (!(strengths > 0)) return;
     // Densities, in flakes, of both choices.

@@ -18,14 +18,16 @@
 
 namespace nacre::render {
 
-/// Density with which a direction towards a light is drawn.
-struct LightPdf {
+/// Density with which a direction towards a light is drawn, or eight are.
+template <class T>
+struct LightPdfs {
     float probability = 0;  ///< of choosing the light
     /// Per solid angle then; infinite for light from a single direction.
-    float density = 0;
+    T density{};
 
-    float value() const { return probability * density; }
+    T value() const { return probability * density; }
 };
+using LightPdf = LightPdfs<float>;
 
 /// Where a light was found, or eight were.
 template <class T>
@@ -87,10 +89,10 @@ class LightSet {
     /// light.                                       [kaplanyan-dachsbacher-2013, who spread the mirror]
     FloatLanes escaped_spread(Vec3f direction, float solid_angle, const FloatLanes* basis) const;
 
-    /// Roughly the luminance that lights, were nothing in between, send along the direction, each
+    /// Roughly the luminance that lights, were nothing in between, send along eight directions, each
     /// weighted as in escaped(): a guide for sampling.
     template <class Weight>
-    float brightness(Vec3f point_mm, Vec3f direction, const Weight& weight) const;
+    FloatLanes brightness(Vec3f point_mm, const Vec3Lanes& direction, const Weight& weight) const;
 
     FloatLanes rectangle_radiance(int rectangle, const FloatLanes* basis) const {
         const CompiledRectangle& r = rectangles_[rectangle];
@@ -149,9 +151,10 @@ class LightSet {
                                  const FloatLanes* basis) const;
     void add(Kind kind, int index, double estimate);
     void normalise(Choice& choice) const;
-    LightPdf environment_pdf(Vec3f direction) const {
+    template <class T>
+    LightPdfs<T> environment_pdf(const Vec3<T>& direction) const {
         return {beside_.environment_probability,
-                beside_.environment ? beside_.environment->pdf(direction) : 0.0f};
+                beside_.environment ? beside_.environment->pdf(direction) : T{}};
     }
     FloatLanes sun_radiance(const FloatLanes* basis) const {
         return sun_->radiance * basis[sun_->spectrum];
@@ -181,27 +184,31 @@ FloatLanes LightSet::escaped(Vec3f direction, const FloatLanes* basis, const Wei
 }
 
 template <class Weight>
-float LightSet::brightness(Vec3f point_mm, Vec3f direction, const Weight& weight) const {
-    float sum = 0;
+FloatLanes LightSet::brightness(Vec3f point_mm, const Vec3Lanes& direction,
+                                const Weight& weight) const {
+    FloatLanes sum{};
     if (environment_) {
         sum += weight(environment_pdf(direction)) * alone_.environment->brightness(direction);
     }
-    if (sun_ && sun_->contains(direction)) {
-        sum += weight(beside_.sun) * static_cast<float>(sun_->luminance);
+    if (sun_) {
+        const LightPdfs<FloatLanes> pdf{beside_.sun.probability, splat(beside_.sun.density)};
+        sum += sun_->contains(direction) ? weight(pdf) * static_cast<float>(sun_->luminance)
+                                         : FloatLanes{};
     }
     for (std::size_t i = 0; i < rectangles_.size(); ++i) {
         const CompiledRectangle& r = rectangles_[i];
-        const float towards = dot(direction, r.normal);
-        if (!(towards < 0) || !r.visible) continue;
-        const float distance = dot(r.corner_mm - point_mm, r.normal) / towards;
-        if (!(distance > 0)) continue;
-        const Vec3f at = point_mm + distance * direction - r.corner_mm;
-        const float u = dot(at, r.edge_u_mm), v = dot(at, r.edge_v_mm);
-        if (u < 0 || v < 0 || u > dot(r.edge_u_mm, r.edge_u_mm) ||
-            v > dot(r.edge_v_mm, r.edge_v_mm)) {
-            continue;
-        }
-        sum += weight(rectangle_pdf(static_cast<int>(i), direction, distance)) * r.radiance;
+        if (!r.visible) continue;
+        const FloatLanes towards = dot(direction, splat(r.normal));
+        const FloatLanes distance = dot(r.corner_mm - point_mm, r.normal) / towards;
+        const Vec3Lanes at = distance * direction + splat(point_mm - r.corner_mm);
+        const FloatLanes u = dot(at, splat(r.edge_u_mm)), v = dot(at, splat(r.edge_v_mm));
+        const IntLanes meets = (towards < 0.0f) & (distance > 0.0f) & (u >= 0.0f) & (v >= 0.0f) &
+                               (u <= dot(r.edge_u_mm, r.edge_u_mm)) &
+                               (v <= dot(r.edge_v_mm, r.edge_v_mm));
+        if (!any(meets)) continue;
+        const LightPdfs<FloatLanes> pdf{beside_.rectangle_probability[i],
+                                        density_over(r, direction, distance)};
+        sum += meets ? weight(pdf) * r.radiance : FloatLanes{};
     }
     return sum;
 }
