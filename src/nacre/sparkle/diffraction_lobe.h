@@ -136,9 +136,7 @@ class DiffractionLobe {
     float slope_density(float slope2) const { return norm_ * std::exp(-exponent(slope2)); }
 
     /// Half of all flakes' surfaces lean more.
-    float median_slope() const {
-        return std::sqrt(std::numbers::ln2_v<float> / inverse_alpha2_);
-    }
+    float median_slope() const { return std::sqrt(std::numbers::ln2_v<float> / inverse_alpha2_); }
 
     float exponent(float slope2) const { return slope2 * inverse_alpha2_; }
 
