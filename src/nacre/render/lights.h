@@ -90,7 +90,7 @@ class LightSet {
     FloatLanes escaped_spread(Vec3f direction, float solid_angle, const FloatLanes* basis) const;
 
     /// Roughly the luminance that lights, were nothing in between, send along eight directions, each
-    /// weighted as in escaped(): a guide for sampling.
+    /// weighted as in escaped(): a guide for sampling. 0 only where no light comes from.
     template <class Weight>
     FloatLanes brightness(Vec3f point_mm, const Vec3Lanes& direction, const Weight& weight) const;
 
@@ -164,6 +164,7 @@ class LightSet {
     std::vector<CompiledRectangle> rectangles_;
     std::vector<Directional> directionals_;
     std::unique_ptr<const EnvironmentRadiance> environment_;
+    float least_brightness_ = 0;  ///< of it: its cells may miss a detail
     /// Of the environment, per luminance, in cells of DirectionTable::to_square(); a single one
     /// where the colour is the same all over.
     std::vector<EnvironmentRadiance::Coefficients> colours_;
@@ -188,7 +189,8 @@ FloatLanes LightSet::brightness(Vec3f point_mm, const Vec3Lanes& direction,
                                 const Weight& weight) const {
     FloatLanes sum{};
     if (environment_) {
-        sum += weight(environment_pdf(direction)) * alone_.environment->brightness(direction);
+        sum += weight(environment_pdf(direction)) *
+               max_lanes(alone_.environment->brightness(direction), splat(least_brightness_));
     }
     if (sun_) {
         const LightPdfs<FloatLanes> pdf{beside_.sun.probability, splat(beside_.sun.density)};

@@ -95,6 +95,32 @@ TEST(LightSet, TheGuessIsNearWhatShinesThere) {
     }
 }
 
+// Flakes are followed along no direction whose guess is 0. A box so small that it lies between the points
+// by which cells are guessed, and the rims of a large one, shine out of cells that look black.
+TEST(LightSet, WhatShinesIsNotTakenForBlack) {
+    for (const double side_deg : {0.1, 20.0}) {
+        StudioEnvironment studio{.horizon = 0, .zenith = 0};
+        studio.boxes = {{.azimuth_deg = 33, .width_deg = side_deg, .height_deg = side_deg}};
+        const Lit lit(studio);
+        const auto spectra = lit.basis.at(film_wavelengths(0));
+        const auto in_full = [](const auto&) { return 1.0f; };
+        const Frame frame = Frame::around(direction_from_angles(33, 45));
+        int shine = 0;
+        for (std::uint32_t i = 0; i < 4000; ++i) {
+            const auto u = PathSampler(1, 8, i).draw(0);
+            const auto half_side = static_cast<float>(std::tan(side_deg * M_PI / 360));
+            const Vec3f direction = normalize(
+                frame.to_world(Vec3f{half_side * (2 * u[0] - 1), half_side * (2 * u[1] - 1), 1}));
+            if (!(lane_sum(lit.lights.escaped(direction, spectra.data(), in_full)) > 0)) continue;
+            ++shine;
+            const FloatLanes guess = lit.lights.brightness(kPoint_mm, splat(direction),
+                                                           [](const auto&) { return splat(1.0f); });
+            EXPECT_GT(guess[0], 0);
+        }
+        EXPECT_GT(shine, 1000) << side_deg;
+    }
+}
+
 // An even sky is left to samples of surfaces, which find it wherever they look.
 TEST(LightSet, BesideSurfacesAnEvenSkyIsNotSampled) {
     EmissionBasis basis;
