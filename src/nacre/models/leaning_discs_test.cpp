@@ -123,9 +123,9 @@ LeaningFluxes flux_by_nacre(const paint::Recipe& recipe) {
             for (int k = 0; k < kPoints; ++k) {
                 const double z = 1 - height * (k + 0.5) / kPoints, turn = 2.399963 * k;
                 const double sine = std::sqrt(1 - z * z);
-                const Vec3f wo = frame.to_world({static_cast<float>(sine * std::cos(turn)),
-                                                 static_cast<float>(sine * std::sin(turn)),
-                                                 static_cast<float>(z)});
+                const Vec3f wo = frame.to_world(Vec3f{static_cast<float>(sine * std::cos(turn)),
+                                                      static_cast<float>(sine * std::sin(turn)),
+                                                      static_cast<float>(z)});
                 flux[lamp][v] +=
                     double{bound->eval(wi, wo)[0]} * wo.z * 2 * std::numbers::pi * height / kPoints;
             }

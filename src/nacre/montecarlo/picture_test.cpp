@@ -56,7 +56,7 @@ std::array<double, kLanes> integrate(const bsdf::BoundBsdf& surface, double inde
     const int azimuths = 2 * polar_nodes;
     std::array<double, kLanes> sum;
     sum.fill(optics::fresnel_dielectric<double>(index, pixel.wi.z) *
-             room(pixel.frame.to_world({-pixel.wi.x, -pixel.wi.y, pixel.wi.z})));
+             room(pixel.frame.to_world(Vec3f{-pixel.wi.x, -pixel.wi.y, pixel.wi.z})));
     for (int i = 0; i < polar_nodes; ++i) {
         const double sine = std::sin(polar.nodes[i]), cosine = std::cos(polar.nodes[i]);
         for (int k = 0; k < azimuths; ++k) {

@@ -107,7 +107,7 @@ TEST(SurfacePatch, InObjectSpaceKeepsItsAreaAndLiesAcrossTheShadingNormal) {
     int checked = 0;
     for (float tilt : {0.0f, 0.1f, 0.5f, 1.5f}) {
         const Vec3f shading =
-            normalize(geometric + std::tan(tilt) * facet.to_world({0.6f, 0.8f, 0}));
+            normalize(geometric + std::tan(tilt) * facet.to_world(Vec3f{0.6f, 0.8f, 0}));
         const Vec3f in_object_space{0.5f, 2, -1};
         const sparkle::ObjectSpaceFootprint p = object_space_footprint(
             map, map.point((1 / 3.0f) * in_object_space), geometric, shading, edge_1, edge_2);

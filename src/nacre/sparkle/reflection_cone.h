@@ -130,7 +130,7 @@ inline Vec3f ConeRule::sample(Vec3f wo, Vec2f u) const {
     const float sine = std::sqrt(std::max(0.0f, versine * (2 - versine)));
     const float angle = 2 * std::numbers::pi_v<float> * u.y;
     return Frame::around(wo).to_world(
-        {sine * std::cos(angle), sine * std::sin(angle), 1 - versine});
+        Vec3f{sine * std::cos(angle), sine * std::sin(angle), 1 - versine});
 }
 
 }  // namespace nacre::sparkle
