@@ -71,7 +71,7 @@ optics::FilmPopulation parse_film(const std::string& option, const std::string& 
         thickness = *before;
         material = shorter;
     }
-    return {open_material(material),
+    return {open_material(option, material),
             parse_number("thickness of " + option, thickness, paint::limits::kFilmThickness),
             {parse_number("spread of " + option, spread, paint::limits::kFilmSpread)}};
 }
@@ -94,7 +94,7 @@ std::vector<double> wavelengths_nm(double step) {
 
 datasheet::Atlas atlas_of_flake(const AtlasOptions& options, const Progress& progress) {
     datasheet::AtlasFlake flake;
-    flake.film = open_material(options.film);
+    flake.film = open_material("--film", options.film);
     flake.film_spread = {parse_number("--spread", options.spread, paint::limits::kFilmSpread)};
     if (!options.core.empty()) flake.core = parse_film("--core", options.core);
     for (const std::string& text : options.outer) {
@@ -103,7 +103,7 @@ datasheet::Atlas atlas_of_flake(const AtlasOptions& options, const Progress& pro
     if (!flake.outer.empty() && !flake.core) {
         throw UsageError("--outer needs --core: coats are alike on both sides of a core");
     }
-    flake.binder = open_material(options.ior);
+    flake.binder = open_material("--ior", options.ior);
     return datasheet::flake_atlas(
         flake, parse_numbers("--thickness", options.values, paint::limits::kFilmThickness),
         parse_angles(options), wavelengths_nm(5), parse_conditions(options.instrument), progress);
@@ -208,6 +208,7 @@ Command add_atlas(CLI::App& program) {
     command
         ->add_option("--outer", options->outer,
                      "Coat over the film as MATERIAL:NM[:SPREAD_NM]; repeat it, outwards")
+        ->option_text("MATERIAL:NM[:SPREAD_NM]")
         ->allow_extra_args(false);
     command->add_option("--ior", options->ior, "Binder: an index, a material or a file")
         ->capture_default_str();

@@ -11,11 +11,13 @@ void add_brdf_options(CLI::App& command, BrdfOptions& options) {
         .add_option("--incident", options.incident,
                     "Direction towards the light as theta[,phi], deg; may be repeated")
         ->required()
+        ->option_text("THETA[,PHI] REQUIRED")
         ->allow_extra_args(false);
     command
         .add_option("--outgoing", options.outgoing,
                     "Direction towards the eye as theta[,phi], deg; may be repeated")
         ->required()
+        ->option_text("THETA[,PHI] REQUIRED")
         ->allow_extra_args(false);
     add_input_options(command, options);
     add_set(command, options);

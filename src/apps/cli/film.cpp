@@ -39,7 +39,7 @@ Film parse_film(const std::string& text) {
         throw UsageError(fmt::format(
             "--layer = {}: must be INDEX:THICKNESS, the thickness in nm, as in 2.5:120", text));
     }
-    return {open_material(text.substr(0, colon)),
+    return {open_material("--layer", text.substr(0, colon)),
             parse_number("thickness of --layer", text.substr(colon + 1), Range{0, 1e9, "nm"})};
 }
 
@@ -50,8 +50,8 @@ Polarization parse_polarization(const std::string& text) {
 }
 
 std::string film_table(const FilmOptions& options) {
-    const optics::Material ambient = open_material(options.ambient);
-    const optics::Material substrate = open_material(options.substrate);
+    const optics::Material ambient = open_material("--ambient", options.ambient);
+    const optics::Material substrate = open_material("--substrate", options.substrate);
     if (options.layers.size() > kMaxFilms) {
         throw UsageError(fmt::format("--layer: more than {} of them", kMaxFilms));
     }
@@ -99,6 +99,7 @@ Command add_film(CLI::App& program) {
         ->capture_default_str();
     film->add_option("--layer", options->layers,
                      "A film as INDEX:THICKNESS_NM; repeat it, from the ambient inwards")
+        ->option_text("INDEX:THICKNESS_NM")
         ->allow_extra_args(false);
     film->add_option("--substrate", options->substrate, "Medium beyond the films")
         ->capture_default_str();

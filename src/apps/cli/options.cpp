@@ -71,7 +71,7 @@ void add_set(CLI::App& command, CommonOptions& options) {
         .add_option("--set", options.set,
                     "Value to put into the recipe as KEY=VALUE, before all else; may be repeated. "
                     "KEY is the key, or the end of it, as in coats[0].thickness_nm=95")
-        ->type_name("KEY=VALUE")
+        ->option_text("KEY=VALUE")
         ->allow_extra_args(false);
 }
 

@@ -86,8 +86,12 @@ Paint open_paint(const CommonOptions& options, const std::string& file) {
     return paint;
 }
 
-optics::Material open_material(const std::string& text) {
-    return is_stream(text) ? optics::read_material_file(text) : optics::find_material(text);
+optics::Material open_material(const std::string& option, const std::string& text) {
+    try {
+        return is_stream(text) ? optics::read_material_file(text) : optics::find_material(text);
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: {}", option, error.what()));
+    }
 }
 
 void require_values(const bsdf::ModelInfo& model) {

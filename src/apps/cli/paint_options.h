@@ -22,10 +22,10 @@ Paint open_input(const CommonOptions& options, const std::string& file);
 ///         open_input(), or if the file holds no recipe
 Paint open_paint(const CommonOptions& options, const std::string& file);
 
-/// The material that an argument names: as optics::find_material(), or a file of one through a
+/// The material that an option names: as optics::find_material(), or a file of one through a
 /// stream, as "-".
-/// @throws InputError as optics::find_material() and optics::read_material_file()
-optics::Material open_material(const std::string& text);
+/// @throws InputError as optics::find_material() and optics::read_material_file(), naming the option
+optics::Material open_material(const std::string& option, const std::string& text);
 
 /// The model that the command line chooses for the paints. None where all of them hold measured
 /// values, which are shown as they are.

@@ -102,7 +102,7 @@ ExitStatus run(const PigmentOptions& options) {
     fit::DrawdownSettings settings;
     settings.geometry = static_cast<measure::DrawdownGeometry>(
         std::find(words.begin(), words.end(), options.geometry) - words.begin());
-    settings.binder = open_material(options.ior);
+    settings.binder = open_material("--ior", options.ior);
     settings.anisotropy = options.anisotropy;
     settings.matt_ground = options.matt_ground;
     settings.noise = options.noise;

@@ -176,13 +176,15 @@ FittedMaterial Paint::export_material(MaterialFormat format, const BrdfSettings&
 
 bsdf::NacreArrays Paint::arrays(const Model& model, const Progress& progress) const {
     if (const auto* nacre = model.get<NacreModel>()) {
-        return bsdf::nacre_arrays(solved({}, progress), *nacre, progress);
+        const auto paint = solved({}, progress);
+        return state_->naming_file([&] { return bsdf::nacre_arrays(paint, *nacre, progress); });
     }
     const auto* microflake = model.get<MicroflakeModel>();
     if (!microflake || microflake->makes_table()) {
         throw SettingError("model", "must be nacre, or microflake without tables", model.text());
     }
-    return bsdf::microflake_arrays(solved({}, progress));
+    const auto paint = solved({}, progress);
+    return state_->naming_file([&] { return bsdf::microflake_arrays(paint); });
 }
 
 ShaderMaterial Paint::export_threejs(const std::optional<Model>& model,

@@ -1,0 +1,206 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "nacre/bsdf/models/nacre_flakes.h"
+#include "nacre/core/random.h"
+
+// The nacre model's flakes asked one by one: which directions, how bright each is guessed to be, and
+// what it sends.
+
+namespace nacre::bsdf {
+
+namespace {
+
+// Of what a flake is guessed to send, at the least: weights stay bounded where the guess is wrong.
+constexpr float kLeastSeen = 0.05f;
+
+}  // namespace
+
+Ray BoundNacre::typical_mirrored(std::size_t species, const Ray& i) const {
+    const sparkle::DiffractionLobe& lobe = tables_->species[species].field.lobe();
+    const float slope = lobe.median_slope() / std::max(i.sine, 1e-6f);
+    const Vec3f normal = i.sine > 1e-6f
+                             ? normalize(Vec3f{-slope * i.outside.y, slope * i.outside.x, 1})
+                             : normalize(Vec3f{lobe.median_slope(), 0, 1});
+    const auto wo = leave(2 * dot(i.inside, normal) * normal - i.inside);
+    return make_ray(wo ? *wo : Vec3f{-i.outside.x, -i.outside.y, i.outside.z});
+}
+
+BoundNacre::SeenFlakes BoundNacre::seen_flakes(std::size_t species, const FloatLanes& eye) const {
+    const sparkle::FlakeField& field = tables_->species[species].field;
+    const sparkle::DiffractionLobe& lobe = field.lobe();
+    sparkle::FlakeView view;  // of one typical flake
+    view.count = 1;
+    view.weight[0] = 1;
+    view.typical_radius = field.constants().typical_radius;
+    view.lobe_radius[0] = lobe.radius(static_cast<float>(field.population().diameter_um));
+    // Of a flake that mirrors w_i into w_o: what it sends there by flake_weight(), as an eye sees it, and
+    // how many do, per solid angle.
+    struct Sent {
+        FloatLanes light{};
+        float flakes = 0;
+    };
+    const auto sent = [&](const Ray& i, const Ray& o, bool bare) {
+        const HalfVector half(i, o, coat());
+        if (!lobe.reaches(half.slope2)) return Sent{};
+        view.slope_x[0] = half.slope.x;
+        view.slope_y[0] = half.slope.y;
+        const float seen = view.fraction(lobe, half.slope, half.cosine, 0, half.spread2) *
+                           o.outside.z / flake_pdf(view, species, 0, i, o);
+        return Sent{seen * eye * single_value(i, o, AllOfSpecies(*this, species, i, o, bare)),
+                    lobe.slope_density(half.slope2) * half.per_solid_angle * solid_angle_ratio(o)};
+    };
+    SeenFlakes seen;
+    for (int a = 0; a < SeenFlakes::kNodes; ++a) {
+        const float cosine_i = SeenFlakes::cosine(a);
+        const Ray i = make_ray({std::sqrt(1 - cosine_i * cosine_i), 0, cosine_i});
+        const Ray typical = typical_mirrored(species, i);
+        const Sent bare = sent(i, typical, true), covered = sent(i, typical, false);
+        if (!(lane_sum(covered.light) > 0)) continue;
+        seen.light[a] = bare.light;
+        // Outwards from as steep as w_i; beyond the last flakes as there.
+        SeenFlakes::ByCosine<float>& relative = seen.relative[a];
+        const auto fill = [&](int b, int before) {
+            const float cosine = SeenFlakes::cosine(b), sine = std::sqrt(1 - cosine * cosine);
+            // In directions half around from where a flake that lies flat mirrors w_i.
+            constexpr int kAzimuths = 3;
+            float light = 0, flakes = 0;
+            for (int n = 0; n < kAzimuths; ++n) {
+                const float phi = std::numbers::pi_v<float> * n / (kAzimuths - 1);
+                const Ray o = make_ray({-sine * std::cos(phi), sine * std::sin(phi), cosine});
+                const Sent there = sent(i, o, false);
+                const float weight = n == 0 || n == kAzimuths - 1 ? 0.5f : 1.0f;
+                light += weight * there.flakes * lane_sum(there.light);
+                flakes += weight * there.flakes;
+            }
+            relative[b] = flakes > 0
+                              ? std::max(light / (flakes * lane_sum(covered.light)), kLeastSeen)
+                              : relative[before];
+        };
+        for (int b = a; b >= 0; --b) fill(b, b + 1);
+        for (int b = a + 1; b < SeenFlakes::kNodes; ++b) fill(b, b - 1);
+    }
+    return seen;
+}
+
+void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
+                            std::vector<AskedFlake>& list) const {
+    list.clear();
+    constexpr UintLanes kNumber = {1, 2, 3, 4, 5, 6, 7, 8};
+    // Directions of one flake are a lattice, shifted at random [cranley-patterson-1976].
+    constexpr float kGolden = std::numbers::phi_v<float> - 1;
+    if (wi.z <= 0) return;
+    const Look look(*this, patch, wi);
+    const Ray i = make_ray(wi);
+    const SeenFlakes::Place place(wi.z);
+    std::size_t layer = 0;
+    for (std::size_t s = 0; s < tables_->species.size(); ++s) {
+        while (layer + 1 < tables_->first_species.size() && tables_->first_species[layer + 1] <= s)
+            ++layer;
+        const sparkle::FlakeView& view = look[s];
+        const NacreSpecies& species = tables_->species[s];
+        const FloatLanes depth = depth_there_and_back(layer, i);
+        const SeenFlakes& flakes = seen_flakes_[s];
+        const FloatLanes light = place.in(flakes.light);
+        const auto relative = flakes.towards(place);
+        // What lies above each of them as if the light came from there: that it comes from elsewhere
+        // changes all nearly alike.
+        const Ray typical = typical_mirrored(s, i);
+        std::optional<HotSpot::Pair> pair;
+        if (hot_spot_) pair.emplace(*hot_spot_, i, typical);
+        const auto directions = static_cast<float>(species.directions);
+        for (int first = 0; first < view.count; first += kLanes) {
+            const int last = std::min(kLanes, view.count - first);
+            FloatLanes strength{};
+            for (int lane = 0; lane < last; ++lane) {
+                const int k = first + lane;
+                const Vec3f normal = normalize(Vec3f{view.slope_x[k], view.slope_y[k], 1});
+                const FloatLanes seen =
+                    relative_attenuation(s, layer, view, k, std::abs(dot(i.inside, normal)), depth,
+                                         pair ? &*pair : nullptr);
+                strength[lane] = view.weight[k] * lane_sum(light * seen);
+            }
+            const auto bits = hash_of(random, s, first);
+            const UintLanes by_flake =
+                mix_bits_32(static_cast<std::uint32_t>(bits) +
+                            kNumber * (static_cast<std::uint32_t>(bits >> 32) | 1u));
+            for (int direction = 0; direction < species.directions; ++direction) {
+                const auto n = static_cast<float>(direction);
+                const FloatLanes u = sparkle::lower_half(by_flake) * 0x1p-16f + n / directions;
+                const FloatLanes turns = sparkle::upper_half(by_flake) * 0x1p-16f + n * kGolden;
+                const auto half = view.sample_lobes(species.field.lobe(), i.inside, first,
+                                                    {u < 1.0f ? u : u - 1.0f, turns});
+                // The mirror image of w_i in a plane of this slope, and its refraction out.
+                const FloatLanes sec2 = 1.0f + half.x * half.x + half.y * half.y;
+                const FloatLanes twice =
+                    2.0f * (i.inside.x * half.x + i.inside.y * half.y + i.inside.z) / sec2;
+                const FloatLanes x = twice * half.x - i.inside.x, y = twice * half.y - i.inside.y;
+                const FloatLanes z = twice - i.inside.z;
+                const FloatLanes ox = mean_ior() * x, oy = mean_ior() * y;
+                const FloatLanes oz2 = 1.0f - ox * ox - oy * oy;
+                const FloatLanes oz = sqrt_lanes(max_lanes(oz2, FloatLanes{}));
+                // sec^3 / (4 w_i.h): area of slopes per solid angle of w_o; then per that outside.
+                const FloatLanes pdf = directions * half.pdf * (0.5f * sec2 / (i.inside.z + z)) *
+                                       oz / (z * (mean_ior() * mean_ior()));
+                const auto leaves = (oz2 > 1e-6f) & (z > 0.0f) & (pdf > 0.0f) & (strength > 0.0f);
+                for (int lane = 0; lane < last; ++lane) {
+                    if (!leaves[lane]) continue;
+                    list.push_back({{ox[lane], oy[lane], oz[lane]},
+                                    pdf[lane],
+                                    strength[lane] * SeenFlakes::Place(oz[lane]).in(relative),
+                                    static_cast<int>(s),
+                                    first + lane});
+                }
+            }
+        }
+    }
+}
+
+float BoundNacre::flake_pdf(const sparkle::FlakeView& view, std::size_t species, int flake,
+                            const Ray& i, const Ray& o) const {
+    const HalfVector half(i, o, coat());
+    const NacreSpecies& by = tables_->species[species];
+    return static_cast<float>(by.directions) *
+           view.lobe_pdf(by.field.lobe(), i.inside, flake, half.slope) * half.per_solid_angle *
+           solid_angle_ratio(o);
+}
+
+FloatLanes BoundNacre::flake_weight(const Patch& patch, Vec3f wi, const AskedFlake& asked) const {
+    const Look look(*this, patch, wi);
+    const Ray i = make_ray(wi), o = make_ray(asked.wo);
+    const HalfVector half(i, o, coat());
+    const auto species = static_cast<std::size_t>(asked.species);
+    const sparkle::FlakeView& view = look[species];
+    const float fraction = view.fraction(tables_->species[species].field.lobe(), half.slope,
+                                         half.cosine, asked.flake, half.spread2);
+    if (fraction == 0) return FloatLanes{};
+    SomeFlakes flakes(*this, species, view, i, o);
+    flakes.add(asked.flake, fraction);
+    return single_value(i, o, flakes) * (asked.wo.z / asked.pdf);
+}
+
+FloatLanes BoundNacre::flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float pdf) const {
+    if (wi.z <= 0 || wo.z <= 0) return FloatLanes{};
+    const Look look(*this, patch, wi);
+    const Ray i = make_ray(wi), o = make_ray(wo);
+    const HalfVector half(i, o, coat());
+    FloatLanes sum{};
+    for (std::size_t s = 0; s < tables_->species.size(); ++s) {
+        const sparkle::DiffractionLobe& lobe = tables_->species[s].field.lobe();
+        const sparkle::FlakeView& view = look[s];
+        if (view.count == 0 || !lobe.reaches(half.slope2)) continue;
+        SomeFlakes flakes(*this, s, view, i, o);
+        view.for_each_answer(
+            lobe, half.slope, half.cosine,
+            [&](int k, float fraction) {
+                flakes.add(k, fraction * power_heuristic(pdf, flake_pdf(view, s, k, i, o)));
+            },
+            half.spread2);
+        if (!flakes.empty()) sum += single_value(i, o, flakes);
+    }
+    return sum;
+}
+
+}  // namespace nacre::bsdf
