@@ -70,7 +70,9 @@ TEST_F(Atlas, SaysWhatIsWrongWithAnAtlas) {
     EXPECT_THAT(complaint("--film 2 --outer mica:5", 1), HasSubstr("--outer needs --core"));
     EXPECT_THAT(complaint("--film 2 --thickness 0", 1), HasSubstr("--thickness"));
     EXPECT_THAT(complaint("--film 2 --lamp 90", 1), HasSubstr("--lamp"));
-    EXPECT_THAT(complaint("--film unobtainium", 2), HasSubstr("unobtainium"));
+    EXPECT_THAT(complaint("--film unobtainium", 2), HasSubstr("--film: material \"unobtainium\""));
+    EXPECT_THAT(complaint("--film 2 --ior unobtainium", 2),
+                HasSubstr("--ior: material \"unobtainium\""));
     EXPECT_THAT(complaint("--film 2 --ior 1.5+1i", 2), HasSubstr("absorbs"));
     EXPECT_THAT(complaint("--film 2 --ior 5", 2), HasSubstr("[1, 3]"));
     EXPECT_THAT(complaint("--film 2 --aspecular 150", 2), HasSubstr("150"));

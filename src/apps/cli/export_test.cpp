@@ -194,6 +194,14 @@ TEST_F(Program, ExportRefusesAnisotropicSurfaces) {
     EXPECT_EQ(refused.status, 2);
     EXPECT_THAT(refused.err, HasSubstr("brushed.bsdf: holds an anisotropic BRDF"));
     EXPECT_FALSE(exists("again.bsdf"));
+
+    write("leaning.toml", "lean = { tilt_deg = 6 }\n" + contents(folder_ / "gray.toml"));
+    for (const char* suffix : {".bsdf", ".binary", ".gltf", ".mtlx", ".blender.py", ".three.js"}) {
+        const Outcome leaning = nacre(std::string("export leaning.toml -q -o leaning") + suffix);
+        EXPECT_EQ(leaning.status, 2) << suffix;
+        EXPECT_THAT(leaning.err, HasSubstr("leaning.toml: lean.tilt_deg = 6: ")) << suffix;
+        EXPECT_FALSE(exists(std::string("leaning") + suffix));
+    }
 }
 
 TEST_F(Program, ControlCharactersOfNamesAreNotPrinted) {
