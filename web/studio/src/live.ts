@@ -11,11 +11,21 @@ import type { Picture, View } from "./viewer";
 /** Texels around the horizon of what shines from all sides. */
 const LIGHT_WIDTH = 512;
 
+/** What is sent once: it outlives a live picture whose graphics processor was lost. */
+export class Received {
+    readonly texts = new Map<string, string>();
+    readonly meshes = new Map<string, Promise<Mesh>>();
+    readonly lights = new Map<string, Promise<Light>>();
+
+    /** What the reader brought along, and is not asked of the server. */
+    add(own: { readonly mesh?: Mesh; readonly light?: Light }, name: string): void {
+        if (own.mesh !== undefined) this.meshes.set(name, Promise.resolve(own.mesh));
+        if (own.light !== undefined) this.lights.set(name, Promise.resolve(own.light));
+    }
+}
+
 export class Live {
     private readonly view: LiveView;
-    private readonly texts = new Map<string, string>();
-    private readonly meshes = new Map<string, Promise<Mesh>>();
-    private readonly lights = new Map<string, Promise<Light>>();
     private shape = "";
     private light = "";
 
@@ -27,6 +37,7 @@ export class Live {
         private readonly canvas: HTMLCanvasElement,
         private schema: Schema,
         private readonly bytes: (path: string) => Promise<ArrayBuffer>,
+        private readonly received: Received,
         onChange: (samples: number) => void,
         private readonly onFault: (message: string) => void,
     ) {
@@ -38,11 +49,9 @@ export class Live {
         });
     }
 
-    /** What the reader brought along, and the schema that names it. */
-    add(schema: Schema, own: { readonly mesh?: Mesh; readonly light?: Light }, name: string): void {
+    /** One that names what the reader brought along. */
+    setSchema(schema: Schema): void {
         this.schema = schema;
-        if (own.mesh !== undefined) this.meshes.set(name, Promise.resolve(own.mesh));
-        if (own.light !== undefined) this.lights.set(name, Promise.resolve(own.light));
     }
 
     show(view: View, width: number, height: number): void {
@@ -50,7 +59,7 @@ export class Live {
         if (shape === undefined || width * height === 0) return;
         if (this.shape !== view.shape) {
             this.shape = view.shape;
-            const mesh = known(this.meshes, view.shape, () =>
+            const mesh = known(this.received.meshes, view.shape, () =>
                 this.bytes(`/api/shape/${encodeURIComponent(view.shape)}`).then(readMesh),
             );
             this.when(mesh, (ready) => {
@@ -59,7 +68,7 @@ export class Live {
         }
         if (this.light !== view.light) {
             this.light = view.light;
-            const light = known(this.lights, view.light, () =>
+            const light = known(this.received.lights, view.light, () =>
                 this.bytes(
                     `/api/light/${encodeURIComponent(view.light)}?width=${String(LIGHT_WIDTH)}`,
                 ).then(readLight),
@@ -79,7 +88,7 @@ export class Live {
     /** A message `shader`. @return whether the paint can be drawn */
     setPaint(message: Message, attachments: readonly Attachment[]): boolean {
         if (message.problem !== undefined) return false;
-        this.view.setPaint(readPaint(message, attachments, this.texts));
+        this.view.setPaint(readPaint(message, attachments, this.received.texts));
         return true;
     }
 

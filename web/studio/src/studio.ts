@@ -152,11 +152,15 @@ export class Studio {
         if (toml !== undefined) this.openText(toml);
     }
 
-    /** A place for the live picture. */
+    /** A place for the live picture, which is begun anew where the graphics processor was lost and is back. */
     attach(canvas: HTMLCanvasElement): void {
-        const { schema } = this.store.get();
-        if (schema !== null) this.viewer.attach(canvas, schema, this.around.bytes);
-        this.measure();
+        const begin = () => {
+            const { schema } = this.store.get();
+            if (schema !== null) this.viewer.attach(canvas, schema, this.around.bytes);
+            this.measure();
+        };
+        canvas.addEventListener("webglcontextrestored", begin);
+        begin();
     }
 
     // ---- documents ----

@@ -1,6 +1,6 @@
 /** The pictures: of the paint as it is now (B) and of the one that was kept (A). */
 
-import { Live } from "./live";
+import { Live, Received } from "./live";
 import type { Orbit } from "./orbit";
 import { fitted, orbitOf } from "./orbit";
 import type { Attachment, Message } from "./protocol";
@@ -43,6 +43,8 @@ export interface ViewerState {
     readonly recipe: Table | null;
     /** Of the live picture; null: there is none. */
     readonly liveSamples: number | null;
+    /** Why the browser draws none. */
+    readonly noLive: string | null;
     readonly gamutWarning: boolean;
     /** Samples a pixel from which on the path tracer's picture hides the live one. */
     readonly enough: number;
@@ -99,10 +101,12 @@ export class Viewer {
         fault: null,
         recipe: null,
         liveSamples: null,
+        noLive: null,
         gamutWarning: false,
         enough: ENOUGH,
     });
     private live: Live | null = null;
+    private readonly received = new Received();
     private size = { width: 0, height: 0 };
     private meanModel = "";
     /** Lights of lamps whose spectra have lines, which few samples do not meet evenly: greys have a tint. */
@@ -132,7 +136,8 @@ export class Viewer {
 
     /** A mesh or a light that the reader brought along, as the server named it. */
     add(schema: Schema, own: { readonly mesh?: Mesh; readonly light?: Light }, name: string): void {
-        this.live?.add(schema, own, name);
+        this.received.add(own, name);
+        this.live?.setSchema(schema);
     }
 
     /** Of the place for the picture, in pixels of the screen. */
@@ -186,7 +191,7 @@ export class Viewer {
         this.refresh();
     }
 
-    /** Draws the live picture too, where the browser can. */
+    /** Draws the live picture too, where the browser can: from the next shader() on. */
     attach(
         canvas: HTMLCanvasElement,
         schema: Schema,
@@ -194,7 +199,7 @@ export class Viewer {
     ): void {
         const fail = (message: string) => {
             this.live = null;
-            this.store.set({ liveSamples: null, fault: `No live picture: ${message}` });
+            this.store.set({ liveSamples: null, noLive: message });
         };
         try {
             const changed = (liveSamples: number) => {
@@ -202,7 +207,12 @@ export class Viewer {
                 this.store.set({ liveSamples });
                 this.pauseWhenCovered();
             };
-            this.live = new Live(canvas, schema, bytes, changed, fail);
+            this.live = new Live(canvas, schema, bytes, this.received, changed, fail);
+            this.live.hold(this.holders.has("colours"));
+            this.live.setGamutWarning(this.store.get().gamutWarning);
+            this.store.set({ noLive: null });
+            const { view } = this.store.get();
+            if (view !== null) this.live.show(view, this.size.width, this.size.height);
         } catch (error) {
             fail(error instanceof Error ? error.message : String(error));
         }
@@ -305,12 +315,12 @@ export class Viewer {
             samples: quick ? 1 : kept ? KEPT_SAMPLES : SAMPLES,
         };
         const id = this.session.send("render", fields, (message, attachments) => {
-            this.received(id, job, message, attachments);
+            this.answered(id, job, message, attachments);
         });
         this.underWay = { id, job };
     }
 
-    private received(
+    private answered(
         id: number,
         job: Job,
         message: Message,

@@ -50,6 +50,25 @@ test("before there is a picture its place has the grey behind it", async () => {
     await tab.close();
 });
 
+/** The mean of what is red, green and blue on the screen, a byte each. */
+const mean = (canvas: string) =>
+    page.$eval(canvas, (element) => {
+        const copy = document.createElement("canvas");
+        const { width, height } = element as HTMLCanvasElement;
+        copy.width = width;
+        copy.height = height;
+        const context = copy.getContext("2d");
+        context?.drawImage(element as HTMLCanvasElement, 0, 0);
+        const pixels = context?.getImageData(0, 0, width, height).data ?? new Uint8ClampedArray();
+        const sums = [0, 0, 0];
+        pixels.forEach((x, i) => {
+            if (i % 4 < 3) sums[i % 4] = (sums[i % 4] ?? 0) + x;
+        });
+        return sums.map((sum) => (4 * sum) / pixels.length);
+    });
+const near = (a: readonly number[], b: readonly number[], most: number) =>
+    a.every((x, i) => Math.abs(x - (b[i] ?? NaN)) <= most);
+
 test("the picture gets better, follows turning, and A is held beside B", async () => {
     await open();
     const traced = (least: number) =>
@@ -57,25 +76,6 @@ test("the picture gets better, follows turning, and A is held beside B", async (
             const bar = document.querySelector<HTMLProgressElement>(".picture-foot progress");
             return bar !== null && bar.value >= n;
         }, least);
-    /** The mean of what is red, green and blue on the screen, a byte each. */
-    const mean = (canvas: string) =>
-        page.$eval(canvas, (element) => {
-            const copy = document.createElement("canvas");
-            const { width, height } = element as HTMLCanvasElement;
-            copy.width = width;
-            copy.height = height;
-            const context = copy.getContext("2d");
-            context?.drawImage(element as HTMLCanvasElement, 0, 0);
-            const pixels =
-                context?.getImageData(0, 0, width, height).data ?? new Uint8ClampedArray();
-            const sums = [0, 0, 0];
-            pixels.forEach((x, i) => {
-                if (i % 4 < 3) sums[i % 4] = (sums[i % 4] ?? 0) + x;
-            });
-            return sums.map((sum) => (4 * sum) / pixels.length);
-        });
-    const near = (a: readonly number[], b: readonly number[], most: number) =>
-        a.every((x, i) => Math.abs(x - (b[i] ?? NaN)) <= most);
     await page.waitForSelector("canvas.traced.now"); // covers the live picture
     const first = await mean("canvas.traced");
     assert.ok(
@@ -99,6 +99,44 @@ test("the picture gets better, follows turning, and A is held beside B", async (
     await page.click("text=Back to A");
     await settled();
     assert.equal(await page.inputValue(field(FILM)), "208");
+});
+
+test("the live picture comes back with the graphics processor", async () => {
+    await open();
+    const says = (part: string, does: boolean) =>
+        page.waitForFunction(
+            ([text, wanted]) =>
+                document.querySelector(".how-far")?.textContent.includes(text) === wanted,
+            [part, does] as const,
+        );
+    await page.waitForSelector("canvas.traced.now"); // covers the live picture, which has begun
+    const extension = await page.evaluateHandle(() => {
+        const canvas = document.querySelector<HTMLCanvasElement>("canvas.live");
+        return canvas?.getContext("webgl2")?.getExtension("WEBGL_lose_context") ?? null;
+    });
+    await extension.evaluate((it) => it?.loseContext());
+    await says("no live picture", true);
+    const before = await mean("canvas.traced");
+    await type(FILM, "300"); // another paint meanwhile
+    const becomes = async (wanted: () => Promise<boolean>, what: string) => {
+        for (let i = 0; i < 1200 && !(await wanted()); ++i) await page.waitForTimeout(500);
+        assert.ok(await wanted(), what);
+    };
+    await becomes(async () => !near(await mean("canvas.traced"), before, 8), "another paint");
+    await page.waitForFunction(() => {
+        const samples = /Path traced, (\d+) of/.exec(
+            document.querySelector(".how-far")?.textContent ?? "",
+        );
+        return Number(samples?.[1] ?? 0) >= 16;
+    });
+    await says("no live picture", true);
+    const traced = await mean("canvas.traced");
+    await extension.evaluate((it) => it?.restoreContext());
+    await says("no live picture", false);
+    await becomes(
+        async () => near(await mean("canvas.live"), traced, 8),
+        "live and path traced are of one paint",
+    );
 });
 
 test("single flakes are seen, or their mean", async () => {

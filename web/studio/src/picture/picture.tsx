@@ -306,6 +306,7 @@ function Canvas(): VNode {
 function PictureFoot(): VNode {
     const picture = useViewerState((state) => state.picture);
     const fault = useViewerState((state) => state.fault);
+    const noLive = useViewerState((state) => state.noLive);
     const readings = useStudioState((state) => state.readings);
     const outside = readings?.out_of_gamut.filter(Boolean).length ?? 0;
     const live = useViewerState((state) => state.liveSamples);
@@ -328,8 +329,16 @@ function PictureFoot(): VNode {
                 : "Draft";
     return (
         <div class="picture-foot">
-            <span class="how-far" title={fault ?? "Samples a pixel of the path tracer's picture"}>
-                {fault ?? samples}
+            <span
+                class="how-far"
+                title={
+                    fault ??
+                    (noLive === null
+                        ? "Samples a pixel of the path tracer's picture"
+                        : `No live picture: ${noLive}`)
+                }
+            >
+                {fault ?? (noLive === null ? samples : `${samples}; no live picture`)}
             </span>
             <progress
                 max={traced?.of ?? 1}

@@ -246,8 +246,13 @@ export class LiveView {
         this.renderer.forceContextLoss();
     }
 
-    private readonly onLost = (): void => {
+    /** The canvas takes another view once the processor is back. */
+    private readonly onLost = (event: Event): void => {
+        event.preventDefault(); // else it would stay away
         this.lost = true;
+        this.pause();
+        this.canvas.removeEventListener("webglcontextlost", this.onLost);
+        this.renderer.dispose();
         this.options.onFault?.("the graphics processor was lost");
     };
 
@@ -301,12 +306,12 @@ export class LiveView {
             this.dirty = false;
             this.options.onChange?.(this.state);
         }
-        if (work > 0) this.await(begun, work);
+        if (work > 0) this.waitUntilDrawn(begun, work);
         else if (this.nextPaint !== null) this.schedule();
     }
 
     /** Until the graphics processor has drawn a frame, which tells how fast it is. */
-    private await(begun: number, work: number): void {
+    private waitUntilDrawn(begun: number, work: number): void {
         const gl = this.renderer.getContext() as WebGL2RenderingContext;
         const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
         gl.flush();
