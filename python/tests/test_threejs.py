@@ -93,10 +93,10 @@ def test_what_a_shader_cannot_show_is_refused(paints: Path, tmp_path: Path) -> N
         .to_toml()
         .replace("[clearcoat]", "[clearcoat]\norange_peel = { wd = 0.002 }")
     )
-    with pytest.raises(nacre.DomainError, match="orange_peel"):
+    with pytest.raises(nacre.InputError, match="orange_peel"):
         nacre.Paint.from_toml(peel).write(file)
     lean = "lean = { tilt_deg = 4 }\n" + (paints / "ruby.toml").read_text()
-    with pytest.raises(nacre.DomainError, match=r"lean\.tilt_deg = 4: .* must be 0"):
+    with pytest.raises(nacre.InputError, match=r"recipe: lean\.tilt_deg = 4: .* must be 0"):
         nacre.Paint.from_toml(lean).write(file)
     with pytest.raises(nacre.SettingError, match="wavelengths_nm"):
         nacre.Paint(paints / "ruby.toml").write(file, wavelengths_nm=[450, 550])

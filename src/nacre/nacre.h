@@ -410,8 +410,8 @@ class Paint {
     /// An ES module with a material of three.js that shows the mean of `nacre`, or `microflake`, by a
     /// shader.
     /// @param model  none: nacre
-    /// @throws InputError as recipe(); SettingError if it is another model, or renders from tables;
-    ///         DomainError as bsdf::nacre_arrays() and exchange::make_webgl_shader()
+    /// @throws InputError as recipe(), or what bsdf::nacre_arrays() refuses of it; SettingError if it is
+    ///         another model, or renders from tables; DomainError as exchange::make_webgl_shader()
     ShaderMaterial export_threejs(const std::optional<Model>& model = {},
                                   const Progress& progress = {}) const;
     /// What such shaders, and renderers with programs of their own, compute the paint from.
