@@ -17,9 +17,11 @@ namespace {
 constexpr float kMinFlatCosine = 1e-3f;
 /// Cosine between the eye and a slope that is just seen.
 constexpr float kMinSeenCosine = 1e-3f;
-/// Fraction of the samples that are spread over the tilted hemisphere, of which the flat coat's own
-/// do not reach what lies beyond its critical angle.
+/// Fraction of the samples that are spread over the tilted hemisphere: what the others do not reach.
 constexpr float kAround = 1 / 32.0f;
+/// At the most of those beyond the flat coat's critical angle. About as much of the light of a silver
+/// paint leaves there, seen at 55 deg, as the coat is tilted by, in rad.
+constexpr float kMaxBeyond = 0.2f;
 
 }  // namespace
 
@@ -32,8 +34,12 @@ TiltedCoat::TiltedCoat(const BoundBsdf& flat, Vec2f slope, Vec3f seen_from)
     if (seen_from.z > 0 && facing < kMinSeenCosine) {
         normal_ = normalize(normal_ + (kMinSeenCosine - facing) * seen_from);
     }
+    tilt_ = std::atan2(std::hypot(normal_.x, normal_.y), normal_.z);
+    beyond_ = std::min(tilt_, kMaxBeyond);
     if (lobe_) frame_ = Frame::around(normal_);
 }
+
+float TiltedCoat::as_flat() const { return 1 - kAround - beyond_; }
 
 std::optional<TiltedCoat::Ray> TiltedCoat::ray_of(Vec3f w) const {
     const float cosine = dot(w, normal_);
@@ -55,14 +61,43 @@ std::optional<TiltedCoat::Ray> TiltedCoat::ray_of(Vec3f w) const {
         const float flat_cosine = std::sqrt(flat_cosine2);
         ray.flat = {inside.x, inside.y, flat_cosine};
         ray.jacobian = through / flat_cosine;
+        ray.beyond = 0;
     } else {
         const float shorter =
             std::sqrt((1 - kMinFlatCosine * kMinFlatCosine) / std::max(flat_sine2, 0.5f));
         ray.flat = {inside.x * shorter, inside.y * shorter, kMinFlatCosine};
         ray.jacobian = 0;
+        ray.beyond = beyond_pdf(inside, cosine, cosine_inside);
     }
     return ray;
 }
+
+// Directions of the lune, by their angle theta to the mean normal inside and their azimuth psi from
+// that of the tilted one: from the critical angle theta_c on by at most tilt cos(psi), to first order.
+// sin(psi) and theta are drawn evenly, which is 1 / (2 tilt sin(theta)) per solid angle inside.
+float TiltedCoat::beyond_pdf(Vec3f inside, float cosine, float cosine_inside) const {
+    if (beyond_ == 0) return 0;
+    const float n = index_.mean;
+    const float across = std::hypot(inside.x, inside.y), lean = std::hypot(normal_.x, normal_.y);
+    const float cosine_psi = (inside.x * normal_.x + inside.y * normal_.y) / (across * lean);
+    const float theta = std::atan2(across, inside.z);
+    if (theta > critical_angle() + tilt_ * cosine_psi) return 0;
+    return cosine / (2 * tilt_ * (across / n) * n * n * cosine_inside);
+}
+
+std::optional<Vec3f> TiltedCoat::sample_beyond(Vec2f u) const {
+    const float sine_psi = 2 * u.x - 1;
+    const float cosine_psi = std::sqrt(std::max(0.0f, 1 - sine_psi * sine_psi));
+    const float theta = critical_angle() + tilt_ * cosine_psi * u.y;
+    const float lean = std::hypot(normal_.x, normal_.y);
+    const Vec2f along{normal_.x / lean, normal_.y / lean};
+    const float sine = index_.mean * std::sin(theta);
+    return refract_out({sine * (cosine_psi * along.x - sine_psi * along.y),
+                        sine * (cosine_psi * along.y + sine_psi * along.x),
+                        index_.mean * std::cos(theta)});
+}
+
+float TiltedCoat::critical_angle() const { return std::asin(1 / index_.mean); }
 
 FloatLanes TiltedCoat::transmittance(const Ray& ray) const {
     if (lobe_) return lobe_->transmittance(ray.cosine) / lobe_->transmittance(ray.flat.z);
@@ -75,9 +110,11 @@ FloatLanes TiltedCoat::transmittance(const Ray& ray) const {
 std::optional<Vec3f> TiltedCoat::leave(Vec3f flat) const {
     if (flat.z <= kMinFlatCosine) return std::nullopt;
     const float n = index_.mean;
-    const Vec3f inside = {
-        flat.x, flat.y,
-        std::sqrt(std::max(0.0f, n * n - flat.x * flat.x - flat.y * flat.y))};  // times n
+    return refract_out(
+        {flat.x, flat.y, std::sqrt(std::max(0.0f, n * n - flat.x * flat.x - flat.y * flat.y))});
+}
+
+std::optional<Vec3f> TiltedCoat::refract_out(Vec3f inside) const {
     const Vec3f across = cross(inside, normal_);
     const float cosine2 = 1 - dot(across, across), along = dot(inside, normal_);
     if (!(cosine2 > 0) || along <= 0) return std::nullopt;
@@ -87,7 +124,8 @@ std::optional<Vec3f> TiltedCoat::leave(Vec3f flat) const {
 }
 
 float TiltedCoat::mixed_pdf(float pdf, const Ray& o) const {
-    return (1 - kAround) * pdf + kAround * std::numbers::inv_pi_v<float> * o.cosine;
+    return as_flat() * pdf + beyond_ * o.beyond +
+           kAround * std::numbers::inv_pi_v<float> * o.cosine;
 }
 
 std::array<Vec3f, 2> TiltedCoat::turned_up(Vec3f wo) const {
@@ -146,7 +184,11 @@ std::optional<BsdfSample> TiltedCoat::sample_by(const Patch* patch, Vec3f wi, fl
     };
     if (u_select >= 1 - kAround)
         return valued(Frame::around(normal_).to_world(cosine_hemisphere(u)));
-    const float rest = std::min(u_select / (1 - kAround), 0x1.fffffep-1f);
+    if (u_select >= as_flat()) {
+        const auto wo = sample_beyond(u);
+        return wo ? valued(*wo) : std::nullopt;
+    }
+    const float rest = std::min(u_select / as_flat(), 0x1.fffffep-1f);
     const UnitRange of_lobe = lobe_ ? flat_.chooses_interface_lobe(patch, i->flat) : UnitRange{};
     if (rest >= of_lobe.from && rest < of_lobe.to) {
         const float u_sign = (rest - of_lobe.from) / (of_lobe.to - of_lobe.from);
@@ -159,7 +201,7 @@ std::optional<BsdfSample> TiltedCoat::sample_by(const Patch* patch, Vec3f wi, fl
     auto out = sample(i->flat, rest, u);
     if (!out) return std::nullopt;
     if (out->kind == SampleKind::specular) {
-        out->pdf *= 1 - kAround;
+        out->pdf *= as_flat();
         out->wo = 2 * i->cosine * normal_ - wi;
         out->wo.z = std::max(std::abs(out->wo.z), 1e-6f);
         out->weight = optics::dielectric_reflectance(splat(1.0f), index_.each, splat(i->cosine)) *
@@ -213,7 +255,7 @@ FloatLanes TiltedCoat::pdf_lanes(Vec3f wi, const Vec3Lanes& wo) const {
 
 float TiltedCoat::specular_probability(Vec3f wi) const {
     const auto i = ray_of(wi);
-    return i ? (1 - kAround) * flat_.specular_probability(i->flat) : 0.0f;
+    return i ? as_flat() * flat_.specular_probability(i->flat) : 0.0f;
 }
 
 BsdfValue TiltedCoat::evaluate(Vec3f wi, Vec3f wo) const {

@@ -38,6 +38,9 @@ namespace nacre::bsdf {
 /// light inside is taken at the flat coat's angle, which is off by the slope times the square of the
 /// roughness.
 ///
+/// Flat coats' samples do not reach what leaves beyond their critical angle, a lune between two cones of
+/// that angle inside, about the two normals; it is sampled apart.
+///
 /// All of it is first order in the slope s: light that the interface returns into the paint finds a
 /// flat one. f is reciprocal up to the last factor, by which plane waves spread over the layers
 /// below, within s tan(37 deg) at n = 1.5; it gives light back within the bound of the test. What a
@@ -81,22 +84,33 @@ class TiltedCoat final : public BoundBsdf {
         float cosine;      // to the tilted normal
         float jacobian;    // solid angle of `flat` over that of the direction; 0 if none has it
         float irradiance;  // the same times the cosines to the mean surface
+        float beyond;      // density of the samples beyond the flat coat's critical angle
     };
     std::optional<Ray> ray_of(Vec3f w) const;
     /// Of the interface, over that of a flat coat at Ray::flat.
     FloatLanes transmittance(const Ray& ray) const;
     /// The probability with which the flat coat draws a rough interface's lobe; 0 with a smooth one.
     float chosen(const Patch* patch, const Ray& i) const;
+    /// Refracts a direction inside, times n; empty where it does not leave.
+    std::optional<Vec3f> refract_out(Vec3f inside) const;
     /// The direction whose Ray::flat is this; empty where it does not leave.
     std::optional<Vec3f> leave(Vec3f flat) const;
+    /// One that leaves beyond the flat coat's critical angle.
+    std::optional<Vec3f> sample_beyond(Vec2f u) const;
+    /// Its density, of a direction inside times n and its cosines to the tilted normal.
+    float beyond_pdf(Vec3f inside, float cosine, float cosine_inside) const;
+    /// Of light inside, at the flat coat.
+    float critical_angle() const;
 
     /// In the frame of the interface, what goes to wo at once and what is turned up into it.
     std::array<Vec3f, 2> turned_up(Vec3f wo) const;
     /// From the flat coat's in the same direction inside.
     FloatLanes value(Vec3f wi, const Ray& i, Vec3f wo, const Ray& o, const FloatLanes& flat) const;
     float density(Vec3f wi, const Ray& i, Vec3f wo, const Ray& o, float flat, float chosen) const;
-    /// Of sample(), from that of all but the samples around the normal.
+    /// Of sample(), from that of the flat coat's samples.
     float mixed_pdf(float pdf, const Ray& o) const;
+    /// Fraction of the samples that are the flat coat's.
+    float as_flat() const;
 
     template <class Evaluate>
     BsdfValue evaluate_by(const Patch* patch, Vec3f wi, Vec3f wo, const Evaluate& evaluate) const;
@@ -108,6 +122,8 @@ class TiltedCoat final : public BoundBsdf {
     const InterfaceLobe* lobe_;  // null: the interface is smooth
     BinderIndex index_;
     Vec3f normal_;
+    float tilt_;     // its angle from the mean one
+    float beyond_;   // fraction of the samples beyond the flat coat's critical angle
     Frame frame_{};  // around the normal, of a rough interface
 };
 
