@@ -13,6 +13,7 @@ Exit status: 0 if all held, 1 if not; each failure is printed with what repeats 
 import argparse
 import pathlib
 import random
+import signal
 import sys
 import tempfile
 import time
@@ -46,6 +47,8 @@ def main() -> int:
     parser.add_argument("--only", default="", help="attacks whose name contains this")
     parser.add_argument("--markdown", action="store_true", help="print the table of the docs")
     options = parser.parse_args()
+    # A shell's background jobs ignore SIGINT, and so would the program, until it has its own handler.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     rows, failures = [], 0
     for name, attack, share in ATTACKS:
         if options.only not in name:
