@@ -167,6 +167,23 @@ Tree recipe_json(const NamedPaint& named, const Tree& tree, const Tree& id) {
             {"warnings", std::move(warnings)}};
 }
 
+Tree uniform_json(const exchange::WebglUniform& uniform) {
+    return {{"name", uniform.name},
+            {"components", uniform.components},
+            {"array", uniform.array},
+            {"values", uniform.values}};
+}
+
+/// What a message says of a texture, whose texels are added to the bytes that follow it.
+Tree texture_json(const exchange::WebglTexture& texture, std::string& bytes) {
+    std::vector<int> shape(texture.size.rbegin(), texture.size.rend());
+    shape.push_back(4);
+    // Texels of four halves need no padding.
+    bytes.append(reinterpret_cast<const char*>(texture.rgba.data()),
+                 texture.rgba.size() * sizeof(texture.rgba[0]));
+    return {{"name", texture.name}, {"dtype", "f16"}, {"shape", shape}};
+}
+
 /// Texts and arrays of the shader that shows the paint.
 Frame shader_frame(const Paint& paint, spectra::Illuminant lamp, const Context& context) {
     Tree json = {{"type", "shader"}, {"id", context.id}};
@@ -181,24 +198,31 @@ Frame shader_frame(const Paint& paint, spectra::Illuminant lamp, const Context& 
     json["smooth_coat"] = shader.smooth_coat;
     json["uniforms"] = Tree::array();
     for (const exchange::WebglUniform& uniform : shader.uniforms) {
-        json["uniforms"].push_back({{"name", uniform.name},
-                                    {"components", uniform.components},
-                                    {"array", uniform.array},
-                                    {"values", uniform.values}});
+        json["uniforms"].push_back(uniform_json(uniform));
     }
     std::string bytes;
     json["binary"] = Tree::array();
     for (const exchange::WebglTexture& texture : shader.textures) {
-        std::vector<int> shape(texture.size.rbegin(), texture.size.rend());
-        shape.push_back(4);
-        json["binary"].push_back({{"name", texture.name}, {"dtype", "f16"}, {"shape", shape}});
-        // Texels of four halves need no padding.
-        bytes.append(reinterpret_cast<const char*>(texture.rgba.data()),
-                     texture.rgba.size() * sizeof(texture.rgba[0]));
+        json["binary"].push_back(texture_json(texture, bytes));
     }
     Tree when_new = json;
     when_new["glsl"] = shader.glsl;
     return {dumped(json), std::move(bytes), shader.program, dumped(when_new)};
+}
+
+/// What tells its single flakes apart.
+Frame films_frame(const Paint& paint, const Context& context) {
+    Tree json = {{"type", "films"}, {"id", context.id}};
+    try {
+        const auto films = exchange::make_live_webgl_films(*paint.solved({}, context.progress));
+        std::string bytes;
+        json["uniforms"] = {uniform_json(films.uniform)};
+        json["binary"] = {texture_json(films.texture, bytes)};
+        return {dumped(json), std::move(bytes)};
+    } catch (const DomainError& error) {  // they are alike
+        json["problem"] = error.what();
+        return {dumped(json), {}};
+    }
 }
 
 Frame done(const Tree& id) { return {dumped({{"type", "done"}, {"id", id}}), {}}; }
@@ -319,7 +343,11 @@ Frames answer(const PaintRequest& request, const Context& context) {
     context.send("readings", {{dumped(recipe_json(named, request.recipe, context.id)), {}},
                               {dumped(json), {}}});
     Frames frames;
-    if (request.shader) frames.push_back(shader_frame(named.paint, request.lamp, context));
+    if (request.shader) {
+        // A slider's first picture shows the mean of the flakes, and does not wait for their films.
+        context.send("shader", {shader_frame(named.paint, request.lamp, context)});
+        frames.push_back(films_frame(named.paint, context));
+    }
     frames.push_back(done(context.id));
     return frames;
 }

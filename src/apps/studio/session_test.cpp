@@ -94,9 +94,12 @@ TEST(StudioSession, TheShaderIsThatOfTheSolvedPaint) {
         const Tree told = page.read();
         ASSERT_EQ(told["type"], "shader");
         const std::string bytes = page.read_bytes();
+        const Tree told_films = page.read();
+        ASSERT_EQ(told_films["type"], "films");
+        const std::string bytes_of_films = page.read_bytes();
         EXPECT_EQ(page.read()["type"], "done");
-        const auto shader = exchange::make_live_webgl_shader(
-            open_text(toml_of_tree(tree), "recipe.toml").solved(), 0, lamp);
+        const auto solved = open_text(toml_of_tree(tree), "recipe.toml").solved();
+        const auto shader = exchange::make_live_webgl_shader(solved, 0, lamp);
         EXPECT_EQ(told["program"], shader.program);
         // Its text is sent once: the second paint has the same structure.
         EXPECT_EQ(told.contains("glsl"), thickness == 15);
@@ -117,6 +120,13 @@ TEST(StudioSession, TheShaderIsThatOfTheSolvedPaint) {
             at += 2 * count;
         }
         EXPECT_EQ(at, bytes.size());
+        const auto films = exchange::make_live_webgl_films(*solved);
+        EXPECT_EQ(told_films["uniforms"][0]["values"].get<std::vector<float>>(),
+                  films.uniform.values);
+        ASSERT_EQ(bytes_of_films.size(), 2 * films.texture.rgba.size());
+        EXPECT_EQ(std::memcmp(bytes_of_films.data(), films.texture.rgba.data(),
+                              bytes_of_films.size()),
+                  0);
     }
 }
 

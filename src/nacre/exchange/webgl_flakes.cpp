@@ -123,27 +123,28 @@ std::vector<WebglUniform> webgl_flake_uniforms(
             }
         }
     }
-    return {field, levels, size, key};
+    const WebglUniform alike = webgl_films(bsdf::SpeciesFilms(species.size())).uniform;
+    return {field, levels, size, key, alike};
 }
 
-WebglFilms webgl_films(const std::vector<bsdf::NacreArrays::Species>& species) {
+WebglFilms webgl_films(const bsdf::SpeciesFilms& species) {
     constexpr int kRows = kWebglFilmIntervals + 1;
     WebglFilms out{{"nacreFilms", {1, 1}, {}}, {"nacreFieldFilms", 4, true, {}}};
-    std::vector<const bsdf::NacreArrays::Species*> kinds;
-    int most_sets = 0;
-    for (const bsdf::NacreArrays::Species& s : species) {
+    std::vector<const bsdf::FlakeFilms*> kinds;
+    std::size_t most_sets = 0;
+    for (const auto& films : species) {
+        const std::size_t sets = films ? films->sets() : 0;
         std::size_t kind = 0;
-        if (s.film_sets > 0) {
+        if (films) {
             // Sizes of one kind of flakes are species of their own.
-            const auto same = std::find_if(kinds.begin(), kinds.end(), [&](const auto* other) {
-                return other->film_ratio == s.film_ratio;
-            });
+            const auto same = std::find(kinds.begin(), kinds.end(), films.get());
             kind = static_cast<std::size_t>(same - kinds.begin());
-            if (same == kinds.end()) kinds.push_back(&s);
+            if (same == kinds.end()) kinds.push_back(films.get());
         }
-        most_sets = std::max(most_sets, s.film_sets);
-        for (const double x : {static_cast<double>(s.film_sets), static_cast<double>(kRows * kind),
-                               s.film_min_cosine, kWebglFilmIntervals / (1 - s.film_min_cosine)}) {
+        most_sets = std::max(most_sets, sets);
+        const double least_cosine = films ? films->min_cosine() : 0;
+        for (const double x : {static_cast<double>(sets), static_cast<double>(kRows * kind),
+                               least_cosine, kWebglFilmIntervals / (1 - least_cosine)}) {
             out.uniform.values.push_back(static_cast<float>(x));
         }
     }
@@ -152,7 +153,7 @@ WebglFilms webgl_films(const std::vector<bsdf::NacreArrays::Species>& species) {
         rgba.assign(4, half_bits(1));
         return out;
     }
-    const std::size_t width = std::size_t{4} * static_cast<std::size_t>(most_sets);
+    const std::size_t width = 4 * most_sets;
     if (kRows * kinds.size() > kMaxTextureSize) {
         throw DomainError(fmt::format(
             "paint: its {} kinds of flakes with films that vary need a texture {} high; "
@@ -163,10 +164,10 @@ WebglFilms webgl_films(const std::vector<bsdf::NacreArrays::Species>& species) {
     rgba.assign(4 * width * kRows * kinds.size(), half_bits(1));
     std::uint16_t* to = rgba.data();
     for (const auto* kind : kinds) {
-        const auto sets = static_cast<std::size_t>(kind->film_sets);
+        constexpr std::size_t kStride = kWebglBands + 1;  // the last band is stored twice
         parallel_for(std::size_t{0}, std::size_t{kRows}, [&](std::size_t row) {
-            for (std::size_t set = 0; set < sets; ++set) {
-                const float* from = kind->film_ratio.data() + (set * kRows + row) * kWebglBands;
+            for (std::size_t set = 0; set < kind->sets(); ++set) {
+                const float* from = kind->ratios().data() + (set * kRows + row) * kStride;
                 for (std::size_t b = 0; b < kWebglBands; ++b) {
                     to[4 * width * row + kWebglBands * set + b] = checked_half(from[b]);
                 }

@@ -114,18 +114,18 @@ std::shared_ptr<const solver::SolvedPaint> three_kinds() {
 // By half floats, whose steps are 1/2048 or less, and every other of the cosines.
 TEST(WebglFlakes, FilmsAreThoseOfThePathTracer) {
     const auto paint = three_kinds();
-    const WebglShader shader = make_live_webgl_shader(paint);
-    const auto films =
-        bsdf::nacre_species(bsdf::Microflake::Tables(paint), 0, {paint->wavelengths_nm()});
-    const std::vector<float> found = values(shader, "nacreFieldFilms");
+    const auto [texture, uniform] = make_live_webgl_films(*paint);
+    const bsdf::SpeciesFilms films = bsdf::species_films(*paint, {paint->wavelengths_nm()});
+    const std::vector<float>& found = uniform.values;
     ASSERT_EQ(found.size(), 4 * films.size());
     EXPECT_EQ(found[0], 0);
     EXPECT_EQ(found[4], bsdf::FlakeFilms::kOneFilmSet);
     EXPECT_EQ(found[8], bsdf::FlakeFilms::kManyFilmsSet);
     EXPECT_EQ(found[13], found[5]) << "flakes of one kind share their films";
-    const auto texture = std::find_if(shader.textures.begin(), shader.textures.end(),
-                                      [](const auto& t) { return t.name == "nacreFilms"; });
-    ASSERT_NE(texture, shader.textures.end());
+    const std::vector<float> before =
+        values(make_live_webgl_shader(paint), uniform.name);  // until they come
+    ASSERT_EQ(before.size(), found.size());
+    for (std::size_t s = 0; s < films.size(); ++s) EXPECT_EQ(before[4 * s], 0);
     const std::vector<double> nm = paint->wavelengths_nm();
     double worst = 0, farthest = 0;
     Rng rng(5);
@@ -138,7 +138,7 @@ TEST(WebglFlakes, FilmsAreThoseOfThePathTracer) {
                                                                (8 * half + b) / (kWebglBands - 1));
             }
             const bsdf::BoundFlakeFilms own =
-                films[s].films->bind(bsdf::locate_wavelengths(nm, bands));
+                films[s]->bind(bsdf::locate_wavelengths(nm, bands));
             for (int n = 0; n < 2000; ++n) {
                 const std::uint32_t bits = rng.next_u32();
                 const float cosine = std::lerp(kind[2], 1.0f, rng.uniform_float());
@@ -149,8 +149,8 @@ TEST(WebglFlakes, FilmsAreThoseOfThePathTracer) {
                     (std::uint64_t{bits} * static_cast<std::uint64_t>(kind[0])) >> 32);
                 const auto at = [&](int row, int b) {
                     const std::size_t texel =
-                        (static_cast<std::size_t>(kind[1]) + row) * texture->size[0] + 4 * set;
-                    return half_value(texture->rgba[4 * texel + 8 * half + b]);
+                        (static_cast<std::size_t>(kind[1]) + row) * texture.size[0] + 4 * set;
+                    return half_value(texture.rgba[4 * texel + 8 * half + b]);
                 };
                 for (int b = 0; b < kLanes; ++b) {
                     const float got = at(low, b) + (y - low) * (at(low + 1, b) - at(low, b));

@@ -111,24 +111,17 @@ inline constexpr double kFarthestDepth = 24;
 
 /// What single flakes add: the text, with the uniforms of `layout`.
 std::string webgl_flakes_glsl(const WebglShader::Layout& layout);
-/// Uniforms and the texture of the lobes' shapes.
+/// Uniforms, by which flakes of one species are alike (nacreFieldFilms), and the texture of the lobes' shapes.
 std::vector<WebglUniform> webgl_flake_uniforms(
     const std::vector<bsdf::NacreArrays::Species>& species);
 WebglTexture webgl_lobe_shapes();
 
-/// FlakeFilms, of each kind of flakes once: sets of flakes to the right, each with four texels of its
-/// bands, cosines downwards. And where a species finds its own: how many sets, 0 if all its flakes are
-/// alike, the first row, the least cosine, and rows per cosine.
-struct WebglFilms {
-    WebglTexture texture;
-    WebglUniform uniform;
-};
 /// Between the cosines of films: half as many as the path tracer has, at half as many wavelengths, so that
 /// a film's slider waits for a quarter of the work.
 inline constexpr int kWebglFilmIntervals = 32;
 /// @param species  their films by bands and kWebglFilmIntervals
 /// @throws DomainError if no texture is high enough
-WebglFilms webgl_films(const std::vector<bsdf::NacreArrays::Species>& species);
+WebglFilms webgl_films(const bsdf::SpeciesFilms& species);
 
 /// Declares share0, share1, ..., lengths by which the gaps of each species help light from the fraction
 /// `u` of a layer's thickness, and returns ln of what they let through of the group g.

@@ -353,10 +353,7 @@ WebglShader make_shader(const bsdf::NacreArrays& arrays, bool flakes, Illuminant
         for (WebglUniform& u : webgl_flake_uniforms(arrays.species)) {
             shader.uniforms.push_back(std::move(u));
         }
-        WebglFilms films = webgl_films(arrays.species);
-        shader.uniforms.push_back(std::move(films.uniform));
         shader.textures.push_back(webgl_lobe_shapes());
-        shader.textures.push_back(std::move(films.texture));
     }
     shader.glsl = webgl_glsl(*layout, declarations(shader.uniforms));
     shader.program = sha256_hex(shader.glsl);
@@ -397,11 +394,15 @@ WebglShader make_webgl_shader(const bsdf::NacreArrays& arrays, Illuminant lamp) 
 WebglShader make_live_webgl_shader(const std::shared_ptr<const solver::SolvedPaint>& paint,
                                    std::uint64_t specimen, Illuminant lamp) {
     paint::require_no_lean(paint->recipe, "the live picture is of paints that are");
-    bsdf::FlakeFilmGrid films{{}, kWebglFilmIntervals};
-    for (const WebglBand& band : webgl_bands(paint->wavelengths_nm())) {
-        films.wavelengths_nm.push_back(band.nm);
+    return make_shader(bsdf::nacre_live_arrays(paint, specimen), true, lamp);
+}
+
+WebglFilms make_live_webgl_films(const solver::SolvedPaint& paint) {
+    bsdf::FlakeFilmGrid grid{{}, kWebglFilmIntervals};
+    for (const WebglBand& band : webgl_bands(paint.wavelengths_nm())) {
+        grid.wavelengths_nm.push_back(band.nm);
     }
-    return make_shader(bsdf::nacre_live_arrays(paint, specimen, films), true, lamp);
+    return webgl_films(bsdf::species_films(paint, grid));
 }
 
 }  // namespace nacre::exchange

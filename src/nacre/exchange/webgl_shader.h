@@ -72,12 +72,24 @@ WebglShader make_webgl_shader(const bsdf::NacreArrays& arrays,
                               spectra::Illuminant lamp = spectra::Illuminant::D65);
 
 /// The same for a picture that follows a slider: of a solved paint, by bsdf::nacre_live_arrays(), and
-/// hence without nacreAlbedo(); with the flakes of a specimen and their films, where there are any
-/// (webgl_flakes.glsl).
+/// hence without nacreAlbedo(); with the flakes of a specimen, where there are any (webgl_flakes.glsl).
+/// Flakes of a species are alike until they are given make_live_webgl_films().
 /// @param lamp  as above
-/// @throws DomainError as above and bsdf::FlakeFilms; Error as bsdf::HotSpotTables
+/// @throws DomainError as above; Error as bsdf::HotSpotTables
 WebglShader make_live_webgl_shader(const std::shared_ptr<const solver::SolvedPaint>& paint,
                                    std::uint64_t specimen = 0,
                                    spectra::Illuminant lamp = spectra::Illuminant::D65);
+
+/// FlakeFilms, of each kind of flakes once: sets of flakes to the right, each with four texels of its
+/// bands, cosines downwards. And where a species finds its own: how many sets, 0 if all its flakes are
+/// alike, the first row, the least cosine, and rows per cosine.
+struct WebglFilms {
+    WebglTexture texture;  ///< nacreFilms
+    WebglUniform uniform;  ///< nacreFieldFilms, in the place of that of the shader
+};
+/// What tells single flakes of make_live_webgl_shader() apart. The mean does not need it, and it takes as
+/// long as all else where a film has changed.
+/// @throws DomainError as bsdf::FlakeFilms, or if no texture is high enough
+WebglFilms make_live_webgl_films(const solver::SolvedPaint& paint);
 
 }  // namespace nacre::exchange

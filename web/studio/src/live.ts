@@ -4,7 +4,7 @@ import { fitted } from "./orbit";
 import type { Attachment, Message } from "./protocol";
 import { LiveView } from "./renderer/live_view";
 import type { Light, Mesh } from "./renderer/paint";
-import { readLight, readMesh, readPaint } from "./renderer/paint";
+import { readFilms, readLight, readMesh, readPaint } from "./renderer/paint";
 import type { Schema } from "./schema";
 import type { Picture, View } from "./viewer";
 
@@ -90,6 +90,11 @@ export class Live {
         if (message.problem !== undefined) return false;
         this.view.setPaint(readPaint(message, attachments, this.received.texts));
         return true;
+    }
+
+    /** A message `films`, after the `shader` that it belongs to. */
+    setFilms(message: Message, attachments: readonly Attachment[]): void {
+        this.view.setFilms(readFilms(message, attachments));
     }
 
     pause(paused: boolean): void {

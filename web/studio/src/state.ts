@@ -44,6 +44,8 @@ export interface State {
     readonly readings: Readings | null;
     /** Of which the readings are. */
     readonly readingsOf: Document | null;
+    /** The readings for plots and tables, which come after the picture: what a slider changes first is chips. */
+    readonly details: Readings | null;
     readonly fault: ErrorMessage | null;
     /** Why the last text that was pasted, dropped or chosen did not become the paint. */
     readonly notOpened: string | null;

@@ -71,6 +71,7 @@ export class Studio {
             paint: null,
             readings: null,
             readingsOf: null,
+            details: null,
             fault: null,
             notOpened: null,
             latency_ms: null,
@@ -304,6 +305,8 @@ export class Studio {
             lamp,
         };
         let chipsAreDrawn = Promise.resolve();
+        let paint: RecipeMessage | null = null;
+        let details: Pick<State, "details" | "latency_ms"> | null = null;
         const id = this.session.send("paint", fields, (message, attachments) => {
             if (document === null) {
                 this.receiveMatch(id, message);
@@ -311,14 +314,14 @@ export class Studio {
             }
             switch (message.type) {
                 case "recipe":
-                    this.store.set({ paint: message as unknown as RecipeMessage });
+                    paint = message as unknown as RecipeMessage; // shown with its readings
                     break;
                 case "readings": {
                     const readings = message as unknown as Readings;
-                    this.store.set({ readings, readingsOf: document, fault: null });
+                    this.store.set({ paint, readings, readingsOf: document, fault: null });
                     chipsAreDrawn = new Promise((then) => {
                         this.around.drawn(() => {
-                            this.store.set({ latency_ms: this.around.now() - since });
+                            details = { details: readings, latency_ms: this.around.now() - since };
                             then();
                         });
                     });
@@ -330,12 +333,20 @@ export class Studio {
                         this.viewer.shader(message, attachments);
                     });
                     break;
+                case "films":
+                    void chipsAreDrawn.then(() => {
+                        this.viewer.films(message, attachments);
+                    });
+                    break;
                 case "error":
                     this.store.set({ fault: message as unknown as ErrorMessage });
                     this.answered(id, null);
                     break;
                 case "done":
                     this.answered(id, document.recipe, chipsAreDrawn);
+                    void chipsAreDrawn.then(() => {
+                        if (details !== null) this.store.set(details);
+                    });
                     break;
             }
         });

@@ -228,6 +228,11 @@ export class Viewer {
         this.store.set({ liveSamples: can ? 0 : null });
     }
 
+    /** And what tells its single flakes apart. */
+    films(message: Message, attachments: readonly Attachment[]): void {
+        if (this.store.get().liveSamples !== null) this.live?.setFilms(message, attachments);
+    }
+
     setGamutWarning(gamutWarning: boolean): void {
         this.store.set({ gamutWarning });
         this.live?.setGamutWarning(gamutWarning);

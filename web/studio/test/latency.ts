@@ -19,6 +19,8 @@ import { launch, Program } from "./program";
 interface Clock {
     /** The last key. */
     key_ms: number;
+    /** From the key to its chips on the screen. */
+    chips_ms: number[];
     /** From the key until the page had sent the paint. */
     sent_ms: number[];
     /** From the key until the browser had the numbers of the live picture. */
@@ -41,6 +43,7 @@ declare global {
 function watchDrawing(): void {
     const clock: Clock = {
         key_ms: 0,
+        chips_ms: [],
         sent_ms: [],
         numbers_ms: [],
         begun_ms: [],
@@ -49,6 +52,15 @@ function watchDrawing(): void {
     };
     window.clock = clock;
     addEventListener("keydown", () => (clock.key_ms = performance.now()), true);
+    new MutationObserver(() => {
+        const current = document.querySelector(".chips")?.getAttribute("data-current") === "true";
+        if (!current || clock.key_ms === 0) return;
+        const begun_ms = clock.key_ms;
+        // A task that a frame starts runs when the frame is on its way.
+        requestAnimationFrame(() => {
+            setTimeout(() => clock.chips_ms.push(performance.now() - begun_ms));
+        });
+    }).observe(document, { subtree: true, attributeFilter: ["data-current"] });
     const Plain = window.WebSocket;
     window.WebSocket = class extends Plain {
         constructor(...given: ConstructorParameters<typeof Plain>) {
@@ -129,17 +141,32 @@ function report(what: string, values: readonly number[]): void {
 
 const SLIDER = "[data-key='layer[0].flakes[0].coats[0].thickness_nm'] input[type=range]";
 
-/** @returns from the key to the chips, by the page's own clock, in ms */
-async function move(page: Page): Promise<number> {
-    await page.evaluate(() => {
-        const { sent_ms, numbers_ms, begun_ms, pictures_ms } = window.clock;
-        for (const times of [sent_ms, numbers_ms, begun_ms, pictures_ms]) times.length = 0;
-    });
-    await page.keyboard.press("ArrowRight");
-    await page.waitForFunction(
-        () => document.querySelector(".chips")?.getAttribute("data-current") === "true",
+type Times = "chips_ms" | "sent_ms" | "numbers_ms" | "begun_ms" | "pictures_ms";
+const TIMES: readonly Times[] = ["chips_ms", "sent_ms", "numbers_ms", "begun_ms", "pictures_ms"];
+
+/** Waits in the page, which is asked every millisecond: frames that nobody needs would take their time. */
+async function seen(page: Page, times: readonly Times[]): Promise<void> {
+    await page.evaluate(
+        (names) =>
+            new Promise<void>((resolve) => {
+                const look = () => {
+                    if (names.every((name) => window.clock[name].length > 0)) resolve();
+                    else setTimeout(look, 1);
+                };
+                look();
+            }),
+        times,
     );
-    return Number(/\d+/.exec((await page.textContent(".latency")) ?? "")?.[0]);
+}
+
+/** @returns from the key to the chips, in ms */
+async function move(page: Page): Promise<number> {
+    await page.evaluate((names) => {
+        for (const name of names) window.clock[name].length = 0;
+    }, TIMES);
+    await page.keyboard.press("ArrowRight");
+    await seen(page, ["chips_ms"]);
+    return page.evaluate(() => window.clock.chips_ms[0] as number);
 }
 
 /** From the key, in ms. */
@@ -151,9 +178,7 @@ interface FirstPicture {
 }
 
 async function firstPicture(page: Page): Promise<FirstPicture> {
-    await page.waitForFunction(() =>
-        [window.clock.numbers_ms, window.clock.pictures_ms].every((times) => times.length > 0),
-    );
+    await seen(page, ["numbers_ms", "pictures_ms"]);
     return page.evaluate(() => {
         const { sent_ms, numbers_ms, begun_ms, pictures_ms } = window.clock;
         const first = (times: number[]) => times[0] as number;

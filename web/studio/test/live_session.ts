@@ -1,7 +1,7 @@
 /** What a page of the tests asks the studio's server for. */
 
 import type { Attachment, Message } from "../src/protocol";
-import { readPaint } from "../src/renderer/paint";
+import { readFilms, readPaint, withFilms } from "../src/renderer/paint";
 import type { PaintShader } from "../src/renderer/paint";
 import type { Schema } from "../src/schema";
 import { unpack } from "../src/session";
@@ -71,5 +71,8 @@ export async function shaderOf(
     const lamp = (await schema()).lights.find(({ name }) => name === light)?.illuminant;
     const recipe = change(await recipeOf(paintName));
     const fields = { type: "paint", recipe, shader: true, lamp };
-    return readPaint(...(await asked(fields, "shader")), new Map());
+    return withFilms(
+        readPaint(...(await asked(fields, "shader")), new Map()),
+        readFilms(...(await asked(fields, "films"))),
+    );
 }

@@ -47,7 +47,9 @@ test("the studio opens a paint, measures it, and never has two measurements unde
     assert.equal(server.received("paint").length, 2);
     clock.ms = 100;
     server.answerPaint();
+    await settle();
     assert.equal(studio.store.get().latency_ms, 100);
+    assert.equal(studio.store.get().details, studio.store.get().readings);
     assert.equal(studio.store.get().readingsOf, studio.store.get().document);
     studio.undo();
     assert.equal(get(studio.store.get().document.recipe, parsePath(COAT)), 20);

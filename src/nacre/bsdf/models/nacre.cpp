@@ -95,13 +95,11 @@ std::vector<sparkle::FlakeField> flake_fields(const Microflake::Tables& tables,
     return fields;
 }
 
-std::vector<NacreSpecies> nacre_species(const Microflake::Tables& tables, std::uint64_t specimen,
-                                        const FlakeFilmGrid& grid, SharedProgress* work) {
-    const paint::Recipe recipe = paint::expanded(tables.paint->recipe);
-    const std::vector<float> fractions = flake_fractions(tables);
-    std::vector<sparkle::FlakeField> fields = flake_fields(tables, specimen);
-    std::vector<NacreSpecies> species;
-    std::vector<const paint::FlakeSpecies*> known;  // of one kind, which share their films
+SpeciesFilms species_films(const solver::SolvedPaint& paint, const FlakeFilmGrid& grid,
+                           SharedProgress* work) {
+    const paint::Recipe recipe = paint::expanded(paint.recipe);
+    SpeciesFilms all;
+    std::vector<const paint::FlakeSpecies*> known;
     for (const paint::Layer& layer : recipe.layers) {
         for (const paint::FlakeSpecies& flake : layer.flakes) {
             std::shared_ptr<const FlakeFilms> films;
@@ -111,16 +109,26 @@ std::vector<NacreSpecies> nacre_species(const Microflake::Tables& tables, std::u
                     return other->body == flake.body;
                 });
                 films = same != known.end()
-                            ? species[static_cast<std::size_t>(same - known.begin())].films
+                            ? all[static_cast<std::size_t>(same - known.begin())]
                             : flake_films(*platelet, recipe.binder, grid.wavelengths_nm,
-                                          min_half_cosine(tables.mean_ior), work,
+                                          min_half_cosine(mean_ior(paint.medium)), work,
                                           grid.cosine_intervals);
             }
             known.push_back(&flake);
-            const std::size_t s = species.size();
-            const int directions = asked_directions(fields[s]);
-            species.push_back({std::move(fields[s]), std::move(films), fractions[s], directions});
+            all.push_back(std::move(films));
         }
+    }
+    return all;
+}
+
+std::vector<NacreSpecies> nacre_species(const Microflake::Tables& tables, std::uint64_t specimen,
+                                        const SpeciesFilms& films) {
+    const std::vector<float> fractions = flake_fractions(tables);
+    std::vector<sparkle::FlakeField> fields = flake_fields(tables, specimen);
+    std::vector<NacreSpecies> species;
+    for (std::size_t s = 0; s < fields.size(); ++s) {
+        const int directions = asked_directions(fields[s]);
+        species.push_back({std::move(fields[s]), films[s], fractions[s], directions});
     }
     return species;
 }
@@ -131,7 +139,8 @@ Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const Na
       smooth(hot_spot ? std::make_shared<Microflake::Tables>(with_rough_hot_spot(paint, *hot_spot),
                                                              hot_spot->extinction())
                       : std::make_shared<Microflake::Tables>(paint)) {
-    species = nacre_species(*smooth, settings.specimen, {paint->wavelengths_nm()}, &work);
+    species = nacre_species(*smooth, settings.specimen,
+                            species_films(*paint, {paint->wavelengths_nm()}, &work));
     std::size_t before = 0;
     for (const solver::LayerMedium& layer : paint->medium.layers) {
         first_species.push_back(before);

@@ -85,11 +85,17 @@ struct FlakeFilmGrid {
     std::vector<double> wavelengths_nm;
     int cosine_intervals = FlakeFilms::kCosineIntervals;
 };
-/// Of all layers of a panel, layer by layer.
+using SpeciesFilms = std::vector<std::shared_ptr<const FlakeFilms>>;
+/// Of all kinds of flakes, layer by layer; null: all alike. Species of one kind share theirs.
 /// @param work  asked while films are computed, where it is not null
-/// @throws DomainError, Stopped as flake_fields() and FlakeFilms
+/// @throws DomainError, Stopped as FlakeFilms
+SpeciesFilms species_films(const solver::SolvedPaint& paint, const FlakeFilmGrid& grid,
+                           SharedProgress* work = nullptr);
+/// Of all layers of a panel, layer by layer.
+/// @param films  species_films()
+/// @throws DomainError as flake_fields()
 std::vector<NacreSpecies> nacre_species(const Microflake::Tables& tables, std::uint64_t specimen,
-                                        const FlakeFilmGrid& grid, SharedProgress* work = nullptr);
+                                        const SpeciesFilms& films);
 
 /// The flakes of all layers of a panel, layer by layer.
 /// @throws DomainError if they are outside the range of FlakeField

@@ -159,12 +159,13 @@ NacreArrays microflake_arrays(const std::shared_ptr<const solver::SolvedPaint>& 
 }
 
 NacreArrays nacre_live_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
-                              std::uint64_t specimen, const FlakeFilmGrid& films) {
+                              std::uint64_t specimen) {
     const HotSpotTables hot_spot(*paint);
     const Microflake::Tables tables(with_rough_hot_spot(paint, hot_spot), hot_spot.extinction());
     NacreArrays out = arrays_of(tables);
     out.hot_spot = hot_spot_arrays(hot_spot);
-    for (const NacreSpecies& species : nacre_species(tables, specimen, films)) {
+    const std::size_t count = flake_fractions(tables).size();
+    for (const NacreSpecies& species : nacre_species(tables, specimen, SpeciesFilms(count))) {
         out.species.push_back(species_arrays(species));
     }
     return out;

@@ -79,7 +79,7 @@ struct NacreArrays {
         std::vector<float> diameter_um;  ///< by the last 8 bits of a flake
         int film_sets = 0;               ///< 0: all flakes alike
         double film_min_cosine = 0;
-        /// (sets, FlakeFilms::kCosineIntervals + 1, W), or by the grid of nacre_live_arrays()
+        /// (sets, FlakeFilms::kCosineIntervals + 1, W)
         std::vector<float> film_ratio;
     };
     std::vector<Species> species;  ///< of `nacre`: those of all layers, one after the other
@@ -90,12 +90,11 @@ struct NacreArrays {
 NacreArrays nacre_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
                          const NacreModel& settings, const Progress& progress = {});
 /// Those of `nacre` for pictures that follow a slider, in a fraction of the time: without
-/// `probability` and `albedo`. Waves of the coat (orange_peel) and the spread of its thickness are left
-/// out.
-/// @param films  of single flakes
-/// @throws Error as HotSpotTables; DomainError as FlakeField and FlakeFilms
+/// `probability`, `albedo` and the films of single flakes, which are all alike. Waves of the coat
+/// (orange_peel) and the spread of its thickness are left out.
+/// @throws Error as HotSpotTables; DomainError as FlakeField
 NacreArrays nacre_live_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
-                              std::uint64_t specimen, const FlakeFilmGrid& films);
+                              std::uint64_t specimen);
 /// Without hot spot and species. @throws Error as Microflake's constructor; DomainError as above
 NacreArrays microflake_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint);
 

@@ -12,8 +12,8 @@ import { Display, ENOUGH } from "./display";
 import type { Part } from "./flakes";
 import { flakeValues, restMatrix, sampleOf } from "./flakes";
 import { lightValues } from "./lights";
-import type { Light, Mesh, PaintShader, Transform } from "./paint";
-import { uniformValues } from "./paint";
+import type { Light, Mesh, PaintFilms, PaintShader, Transform } from "./paint";
+import { uniformValues, withFilms } from "./paint";
 import { clear, filled, Pass, rendererOn } from "./pass";
 import { EVERYWHERE, MOST_RECTANGLES, SHAPE_FRAGMENT, SHAPE_VERTEX, shading } from "./passes";
 import type { Camera, Eye } from "./space";
@@ -121,6 +121,11 @@ export class LiveView {
         this.mostSamples = Math.min(options.samples ?? MOST_SAMPLES, precise ? 1e6 : 128);
         this.shape = new Pass(this.renderer, SHAPE_VERTEX, SHAPE_FRAGMENT, { depth: true });
         this.shown = new Display(this.renderer);
+        // Shaders must have all that they name.
+        this.paintTextures.set(
+            "nacreFilms",
+            filled(undefined, "rgba16f", [1, 1], new Uint16Array(4)),
+        );
         canvas.addEventListener("webglcontextlost", this.onLost);
     }
 
@@ -161,6 +166,16 @@ export class LiveView {
         if (this.stopped || this.lost) return;
         this.attempt(); // in this turn: it is waited for
         this.schedule();
+    }
+
+    /** Those of the paint that was set last. Until they come its mean is shown. */
+    setFilms(films: PaintFilms): void {
+        if (this.nextPaint !== null) this.nextPaint = withFilms(this.nextPaint, films);
+        else if (this.paint !== null) {
+            this.paint = withFilms(this.paint, films);
+            this.handOver(this.paint, films);
+        }
+        if (!this.stopped && !this.lost) this.schedule();
     }
 
     setCamera(camera: Camera): void {
@@ -344,16 +359,21 @@ export class LiveView {
             this.whole = this.shown.changePaint(this.whole, this.paint, paint, () => this.make(1));
         }
         this.paint = paint;
-        pass.set(uniformValues(paint));
-        for (const { name, size, data } of paint.textures) {
+        this.handOver(paint, paint);
+        if (this.whole) this.whole.samples = this.whole.rows = 0;
+        if (this.coarse) this.coarse.samples = this.coarse.rows = 0;
+        this.dirty = true;
+    }
+
+    private handOver({ program }: PaintShader, numbers: PaintFilms): void {
+        const pass = this.paints.get(program) as Pass;
+        pass.set(uniformValues(numbers));
+        for (const { name, size, data } of numbers.textures) {
             const filtering = { linear: size.length === 3 };
             const texture = filled(this.paintTextures.get(name), "rgba16f", size, data, filtering);
             this.paintTextures.set(name, texture);
         }
         pass.set(Object.fromEntries(this.paintTextures));
-        if (this.whole) this.whole.samples = this.whole.rows = 0;
-        if (this.coarse) this.coarse.samples = this.coarse.rows = 0;
-        this.dirty = true;
     }
 
     /** As many samples as there is time for in a frame. @returns how many of one pixel */
@@ -368,7 +388,8 @@ export class LiveView {
         // One sample shows a part of a pixel's flakes, which glitter more than all of them.
         const { asks } = sampleOf(0, this.showsFlakesIn(whole));
         const least = asks ? ENOUGH * ASKING_COST * pixels : pixels;
-        if (least <= budget) {
+        const awaited = asks && !this.paint.films;
+        if (least <= budget && !awaited) {
             const wanted = whole.samples === 0 ? Math.max(moving, least) : budget;
             return this.add(whole, Math.min(wanted, 8 * least));
         }
@@ -392,7 +413,7 @@ export class LiveView {
         ) {
             return this.add(coarse, budget);
         }
-        return this.add(whole, budget);
+        return awaited ? 0 : this.add(whole, budget);
     }
 
     /** A coarse picture's pixels are others: it shows the mean. */

@@ -13,6 +13,8 @@ export interface PaintShader {
     readonly smoothCoat: boolean;
     /** It has single flakes beside their mean. */
     readonly flakes: boolean;
+    /** They are told apart: they have their films. */
+    readonly films: boolean;
     readonly uniforms: readonly PaintUniform[];
     readonly textures: readonly PaintTexture[];
 }
@@ -32,8 +34,11 @@ export interface PaintTexture {
     readonly data: Uint16Array<ArrayBuffer>;
 }
 
+/** What tells single flakes of a paint apart. */
+export type PaintFilms = Pick<PaintShader, "uniforms" | "textures">;
+
 /** Uniforms as shaders are given them. */
-export function uniformValues({ uniforms }: PaintShader): Record<string, Value> {
+export function uniformValues({ uniforms }: PaintFilms): Record<string, Value> {
     return Object.fromEntries(
         uniforms.map(({ name, components, array, values }) => {
             const single = components === 1 && !array;
@@ -103,6 +108,31 @@ export function readPaint(
         glsl,
         smoothCoat: message.smooth_coat === true,
         flakes: glsl.includes("#define NACRE_FLAKES "),
+        films: false,
+        ...numbersOf(message, attachments),
+    };
+}
+
+/** The message `films`, which follows a `shader`. */
+export function readFilms(message: Message, attachments: readonly Attachment[]): PaintFilms {
+    if (message.problem !== undefined) return { uniforms: [], textures: [] };
+    return numbersOf(message, attachments);
+}
+
+export function withFilms(paint: PaintShader, films: PaintFilms): PaintShader {
+    const told = new Set([...films.uniforms, ...films.textures].map(({ name }) => name));
+    const others = <T extends { readonly name: string }>(list: readonly T[]) =>
+        list.filter(({ name }) => !told.has(name));
+    return {
+        ...paint,
+        films: true,
+        uniforms: [...others(paint.uniforms), ...films.uniforms],
+        textures: [...others(paint.textures), ...films.textures],
+    };
+}
+
+function numbersOf(message: Message, attachments: readonly Attachment[]): PaintFilms {
+    return {
         uniforms: message.uniforms as PaintUniform[],
         textures: attachments.map(({ name, shape, data }) => ({
             name,

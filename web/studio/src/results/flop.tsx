@@ -52,7 +52,7 @@ function both(
 }
 
 export function Flop(): VNode | null {
-    const readings = useStudioState((state) => state.readings);
+    const readings = useStudioState((state) => state.details);
     const plots = useMemo(() => {
         if (readings === null) return null;
         const lightness = both(

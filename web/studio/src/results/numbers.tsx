@@ -8,7 +8,7 @@ import { useStudioState } from "../ui/context";
 import { groups } from "./chips";
 
 export function Numbers(): VNode | null {
-    const readings = useStudioState((state) => state.readings);
+    const readings = useStudioState((state) => state.details);
     if (readings === null) return null;
     const versus = readings.standard;
     const order = groups(readings.geometries).flatMap(({ places }) => places.map(({ i }) => i));

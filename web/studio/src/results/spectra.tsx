@@ -24,7 +24,7 @@ function curvesOf(colours: Colours, dashed: boolean): Curve[] {
 }
 
 export function Spectra(): VNode | null {
-    const readings = useStudioState((state) => state.readings);
+    const readings = useStudioState((state) => state.details);
     const element = useMemo(() => {
         if (readings === null) return null;
         const standard = readings.standard === null ? [] : curvesOf(readings.standard, true);
