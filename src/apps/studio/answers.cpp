@@ -210,21 +210,6 @@ Frame shader_frame(const Paint& paint, spectra::Illuminant lamp, const Context& 
     return {dumped(json), std::move(bytes), shader.program, dumped(when_new)};
 }
 
-/// What tells its single flakes apart.
-Frame films_frame(const Paint& paint, const Context& context) {
-    Tree json = {{"type", "films"}, {"id", context.id}};
-    try {
-        const auto films = exchange::make_live_webgl_films(*paint.solved({}, context.progress));
-        std::string bytes;
-        json["uniforms"] = {uniform_json(films.uniform)};
-        json["binary"] = {texture_json(films.texture, bytes)};
-        return {dumped(json), std::move(bytes)};
-    } catch (const DomainError& error) {  // they are alike
-        json["problem"] = error.what();
-        return {dumped(json), {}};
-    }
-}
-
 Frame done(const Tree& id) { return {dumped({{"type", "done"}, {"id", id}}), {}}; }
 
 }  // namespace
@@ -343,13 +328,20 @@ Frames answer(const PaintRequest& request, const Context& context) {
     context.send("readings", {{dumped(recipe_json(named, request.recipe, context.id)), {}},
                               {dumped(json), {}}});
     Frames frames;
-    if (request.shader) {
-        // A slider's first picture shows the mean of the flakes, and does not wait for their films.
-        context.send("shader", {shader_frame(named.paint, request.lamp, context)});
-        frames.push_back(films_frame(named.paint, context));
-    }
+    if (request.shader) frames.push_back(shader_frame(named.paint, request.lamp, context));
     frames.push_back(done(context.id));
     return frames;
+}
+
+Frames answer(const FilmsRequest& request, const Context& context) {
+    const Paint paint = paint_of(request.recipe, context).paint;
+    const auto solved = paint.solved({}, context.progress);
+    const auto films = exchange::make_live_webgl_films(*solved, context.progress);
+    std::string bytes;
+    Tree json = {{"type", "films"}, {"id", context.id}};
+    json["uniforms"] = Tree::array({uniform_json(films.uniform)});
+    json["binary"] = Tree::array({texture_json(films.texture, bytes)});
+    return {{dumped(json), std::move(bytes)}};
 }
 
 Frames answer(const StandardRequest& request, const Context& context) {

@@ -81,6 +81,7 @@ NamedPaint paint_of(const Tree& recipe, const Context& context);
 
 Frames answer(const OpenRequest& request, const Context& context);
 Frames answer(const PaintRequest& request, const Context& context);
+Frames answer(const FilmsRequest& request, const Context& context);
 Frames answer(const StandardRequest& request, const Context& context);
 Frames answer(const SparkleRequest& request, const Context& context);
 Frames answer(const FitRequest& request, const Context& context);

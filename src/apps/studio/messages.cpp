@@ -251,6 +251,7 @@ Request request_of(const std::string& type, Fields& fields) {
         return PaintRequest{fields.object("recipe"), viewed_of(fields), fields.flag("shader"),
                             illuminant_of(fields, "lamp"), tolerance_of(fields)};
     }
+    if (type == "films") return FilmsRequest{fields.object("recipe")};
     if (type == "standard") {
         StandardRequest request;
         if (fields.find("csv")) request.text = fields.text("csv", "", kMaxMessageBytes);
@@ -312,9 +313,9 @@ Request request_of(const std::string& type, Fields& fields) {
         return ShapeRequest{file_name_of(fields), bytes_of(fields), fields.flag("y_up")};
     }
     if (type == "light") return LightRequest{file_name_of(fields), bytes_of(fields)};
-    static const std::vector<std::string> kTypes = {"open",  "paint", "standard", "sparkle",
-                                                    "fit",   "stop",  "render",   "report",
-                                                    "atlas", "shape", "light"};
+    static const std::vector<std::string> kTypes = {"open",    "paint", "films", "standard",
+                                                    "sparkle", "fit",   "stop",  "render",
+                                                    "report",  "atlas", "shape", "light"};
     fields.fail("type", fmt::format("there is no such message{}; there are: {}",
                                     did_you_mean(type, kTypes), fmt::join(kTypes, ", ")));
 }

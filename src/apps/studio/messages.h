@@ -39,6 +39,10 @@ struct PaintRequest {
     spectra::Illuminant lamp = spectra::Illuminant::D65;  ///< in which the shader shows it
     measure::Tolerance tolerance = {};                    ///< against the standard
 };
+/// What tells single flakes of the shader's paint apart.
+struct FilmsRequest {
+    Tree recipe;
+};
 struct StandardRequest {
     std::optional<std::string> text;  ///< none: no standard any more
     std::string name, sample;
@@ -87,9 +91,9 @@ struct LightRequest {
     std::string file, bytes;
 };
 
-using Request = std::variant<OpenRequest, PaintRequest, StandardRequest, SparkleRequest, FitRequest,
-                             StopRequest, RenderRequest, ReportRequest, AtlasRequest, ShapeRequest,
-                             LightRequest>;
+using Request = std::variant<OpenRequest, PaintRequest, FilmsRequest, StandardRequest,
+                             SparkleRequest, FitRequest, StopRequest, RenderRequest, ReportRequest,
+                             AtlasRequest, ShapeRequest, LightRequest>;
 
 struct Message {
     Tree id;           ///< a number or a text, by which its answers are known

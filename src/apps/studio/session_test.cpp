@@ -94,10 +94,11 @@ TEST(StudioSession, TheShaderIsThatOfTheSolvedPaint) {
         const Tree told = page.read();
         ASSERT_EQ(told["type"], "shader");
         const std::string bytes = page.read_bytes();
+        EXPECT_EQ(page.read()["type"], "done");
+        page.send({{"type", "films"}, {"id", 1}, {"recipe", tree}});
         const Tree told_films = page.read();
         ASSERT_EQ(told_films["type"], "films");
         const std::string bytes_of_films = page.read_bytes();
-        EXPECT_EQ(page.read()["type"], "done");
         const auto solved = open_text(toml_of_tree(tree), "recipe.toml").solved();
         const auto shader = exchange::make_live_webgl_shader(solved, 0, lamp);
         EXPECT_EQ(told["program"], shader.program);
@@ -124,9 +125,9 @@ TEST(StudioSession, TheShaderIsThatOfTheSolvedPaint) {
         EXPECT_EQ(told_films["uniforms"][0]["values"].get<std::vector<float>>(),
                   films.uniform.values);
         ASSERT_EQ(bytes_of_films.size(), 2 * films.texture.rgba.size());
-        EXPECT_EQ(std::memcmp(bytes_of_films.data(), films.texture.rgba.data(),
-                              bytes_of_films.size()),
-                  0);
+        EXPECT_EQ(
+            std::memcmp(bytes_of_films.data(), films.texture.rgba.data(), bytes_of_films.size()),
+            0);
     }
 }
 

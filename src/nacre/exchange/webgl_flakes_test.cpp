@@ -137,8 +137,7 @@ TEST(WebglFlakes, FilmsAreThoseOfThePathTracer) {
                 bands[b] = static_cast<float>(nm.front() + (nm.back() - nm.front()) *
                                                                (8 * half + b) / (kWebglBands - 1));
             }
-            const bsdf::BoundFlakeFilms own =
-                films[s]->bind(bsdf::locate_wavelengths(nm, bands));
+            const bsdf::BoundFlakeFilms own = films[s]->bind(bsdf::locate_wavelengths(nm, bands));
             for (int n = 0; n < 2000; ++n) {
                 const std::uint32_t bits = rng.next_u32();
                 const float cosine = std::lerp(kind[2], 1.0f, rng.uniform_float());

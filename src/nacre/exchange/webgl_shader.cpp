@@ -397,12 +397,14 @@ WebglShader make_live_webgl_shader(const std::shared_ptr<const solver::SolvedPai
     return make_shader(bsdf::nacre_live_arrays(paint, specimen), true, lamp);
 }
 
-WebglFilms make_live_webgl_films(const solver::SolvedPaint& paint) {
+WebglFilms make_live_webgl_films(const solver::SolvedPaint& paint, const Progress& progress) {
+    SharedProgress work(progress, 1);
+    work.add(0);
     bsdf::FlakeFilmGrid grid{{}, kWebglFilmIntervals};
     for (const WebglBand& band : webgl_bands(paint.wavelengths_nm())) {
         grid.wavelengths_nm.push_back(band.nm);
     }
-    return webgl_films(bsdf::species_films(paint, grid));
+    return webgl_films(bsdf::species_films(paint, grid, &work));
 }
 
 }  // namespace nacre::exchange

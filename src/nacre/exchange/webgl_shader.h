@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nacre/bsdf/models/nacre_arrays.h"
+#include "nacre/core/progress.h"
 #include "nacre/core/vec.h"
 #include "nacre/solver/solved_paint.h"
 
@@ -89,7 +90,7 @@ struct WebglFilms {
 };
 /// What tells single flakes of make_live_webgl_shader() apart. The mean does not need it, and it takes as
 /// long as all else where a film has changed.
-/// @throws DomainError as bsdf::FlakeFilms, or if no texture is high enough
-WebglFilms make_live_webgl_films(const solver::SolvedPaint& paint);
+/// @throws DomainError, Stopped as bsdf::FlakeFilms; DomainError if no texture is high enough
+WebglFilms make_live_webgl_films(const solver::SolvedPaint& paint, const Progress& progress = {});
 
 }  // namespace nacre::exchange

@@ -39,12 +39,14 @@ export class Live {
         private readonly bytes: (path: string) => Promise<ArrayBuffer>,
         private readonly received: Received,
         onChange: (samples: number) => void,
+        onFilmsWanted: () => void,
         private readonly onFault: (message: string) => void,
     ) {
         this.view = new LiveView(canvas, {
             onChange: ({ samples }) => {
                 onChange(samples);
             },
+            onFilmsWanted,
             onFault,
         });
     }
@@ -92,7 +94,7 @@ export class Live {
         return true;
     }
 
-    /** A message `films`, after the `shader` that it belongs to. */
+    /** A message `films` of the paint that is drawn. */
     setFilms(message: Message, attachments: readonly Attachment[]): void {
         this.view.setFilms(readFilms(message, attachments));
     }

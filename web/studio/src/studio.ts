@@ -330,12 +330,7 @@ export class Studio {
                 case "shader":
                     // A picture drawn by the processor would hold them up.
                     void chipsAreDrawn.then(() => {
-                        this.viewer.shader(message, attachments);
-                    });
-                    break;
-                case "films":
-                    void chipsAreDrawn.then(() => {
-                        this.viewer.films(message, attachments);
+                        this.viewer.shader(document.recipe, message, attachments);
                     });
                     break;
                 case "error":
@@ -345,7 +340,9 @@ export class Studio {
                 case "done":
                     this.answered(id, document.recipe, chipsAreDrawn);
                     void chipsAreDrawn.then(() => {
-                        if (details !== null) this.store.set(details);
+                        this.around.drawn(() => {
+                            if (details !== null) this.store.set(details);
+                        });
                     });
                     break;
             }

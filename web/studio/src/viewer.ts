@@ -83,7 +83,7 @@ interface Job {
 }
 
 /** How long a slider rests before the whole picture is begun. */
-const REST_MS = 250;
+const REST_MS = 300;
 /** Samples of a pixel of the whole picture; a quick one has 1, and a third of the width. */
 const SAMPLES = 64;
 const KEPT_SAMPLES = 16;
@@ -106,6 +106,8 @@ export class Viewer {
         enough: ENOUGH,
     });
     private live: Live | null = null;
+    /** Of the numbers that it was given last. */
+    private liveRecipe: Table | null = null;
     private readonly received = new Received();
     private size = { width: 0, height: 0 };
     private meanModel = "";
@@ -207,7 +209,8 @@ export class Viewer {
                 this.store.set({ liveSamples });
                 this.pauseWhenCovered();
             };
-            this.live = new Live(canvas, schema, bytes, this.received, changed, fail);
+            const wanted = this.askForFilms.bind(this);
+            this.live = new Live(canvas, schema, bytes, this.received, changed, wanted, fail);
             this.live.hold(this.holders.has("colours"));
             this.live.setGamutWarning(this.store.get().gamutWarning);
             this.store.set({ noLive: null });
@@ -223,14 +226,20 @@ export class Viewer {
     }
 
     /** Numbers for the live picture of a recipe. */
-    shader(message: Message, attachments: readonly Attachment[]): void {
+    shader(recipe: Table, message: Message, attachments: readonly Attachment[]): void {
+        this.liveRecipe = recipe;
         const can = this.live?.setPaint(message, attachments) === true;
         this.store.set({ liveSamples: can ? 0 : null });
     }
 
-    /** And what tells its single flakes apart. */
-    films(message: Message, attachments: readonly Attachment[]): void {
-        if (this.store.get().liveSamples !== null) this.live?.setFilms(message, attachments);
+    /** What tells its single flakes apart, unless another paint comes first. */
+    private askForFilms(): void {
+        const recipe = this.liveRecipe;
+        if (!this.session.isOpen) return; // the paint is asked for again
+        const id = this.session.send("films", { recipe }, (message, attachments) => {
+            this.session.forget(id);
+            if (recipe === this.liveRecipe) this.live?.setFilms(message, attachments);
+        });
     }
 
     setGamutWarning(gamutWarning: boolean): void {

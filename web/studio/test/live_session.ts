@@ -73,6 +73,6 @@ export async function shaderOf(
     const fields = { type: "paint", recipe, shader: true, lamp };
     return withFilms(
         readPaint(...(await asked(fields, "shader")), new Map()),
-        readFilms(...(await asked(fields, "films"))),
+        readFilms(...(await asked({ type: "films", recipe }, "films"))),
     );
 }

@@ -34,6 +34,8 @@ export interface LiveState {
 
 export interface LiveOptions {
     readonly onChange?: (state: LiveState) => void;
+    /** What tells single flakes of the paint apart is wanted: setFilms(). */
+    readonly onFilmsWanted?: () => void;
     /** The graphics processor was lost, or a paint's shader is refused. */
     readonly onFault?: (message: string) => void;
     /** Samples after which the picture is finished. */
@@ -103,6 +105,8 @@ export class LiveView {
     private underWay = false;
     private request = 0;
     private timer: ReturnType<typeof setTimeout> | undefined;
+    /** Whether films were asked for. */
+    private filmsWanted = false;
     /** Until then what is there is not refined. */
     private restsUntil = 0;
     private dirty = false;
@@ -168,14 +172,12 @@ export class LiveView {
         this.schedule();
     }
 
-    /** Those of the paint that was set last. Until they come its mean is shown. */
+    /** Those of the paint that is drawn, whose mean is shown until they come. */
     setFilms(films: PaintFilms): void {
-        if (this.nextPaint !== null) this.nextPaint = withFilms(this.nextPaint, films);
-        else if (this.paint !== null) {
-            this.paint = withFilms(this.paint, films);
-            this.handOver(this.paint, films);
-        }
-        if (!this.stopped && !this.lost) this.schedule();
+        if (this.paint === null || this.paint.films) return;
+        this.paint = withFilms(this.paint, films);
+        this.handOver(this.paint, films);
+        this.schedule();
     }
 
     setCamera(camera: Camera): void {
@@ -359,6 +361,7 @@ export class LiveView {
             this.whole = this.shown.changePaint(this.whole, this.paint, paint, () => this.make(1));
         }
         this.paint = paint;
+        this.filmsWanted = false;
         this.handOver(paint, paint);
         if (this.whole) this.whole.samples = this.whole.rows = 0;
         if (this.coarse) this.coarse.samples = this.coarse.rows = 0;
@@ -389,6 +392,11 @@ export class LiveView {
         const { asks } = sampleOf(0, this.showsFlakesIn(whole));
         const least = asks ? ENOUGH * ASKING_COST * pixels : pixels;
         const awaited = asks && !this.paint.films;
+        // The first frame of a paint goes without them.
+        if (awaited && !this.dirty && !this.filmsWanted && this.nextPaint === null) {
+            this.filmsWanted = true;
+            this.options.onFilmsWanted?.();
+        }
         if (least <= budget && !awaited) {
             const wanted = whole.samples === 0 ? Math.max(moving, least) : budget;
             return this.add(whole, Math.min(wanted, 8 * least));

@@ -113,9 +113,9 @@ export function readPaint(
     };
 }
 
-/** The message `films`, which follows a `shader`. */
+/** The message `films`; without it, where the server finds a fault, all flakes of a species are alike. */
 export function readFilms(message: Message, attachments: readonly Attachment[]): PaintFilms {
-    if (message.problem !== undefined) return { uniforms: [], textures: [] };
+    if (message.type !== "films") return { uniforms: [], textures: [] };
     return numbersOf(message, attachments);
 }
 
