@@ -52,6 +52,33 @@ test("before there is a picture its place has the grey behind it", async () => {
     await tab.close();
 });
 
+test("films of single flakes are asked for once a paint, when its mean has been drawn", async () => {
+    const tab = await newPage();
+    const told: string[] = [];
+    tab.on("websocket", (socket) => {
+        const note = (way: string) => (frame: { payload: string | Buffer }) => {
+            if (typeof frame.payload !== "string") return;
+            const type = /"type":"(shader|films)"/.exec(frame.payload)?.[1];
+            if (type !== undefined) told.push(way + type);
+        };
+        socket.on("framesent", note(">"));
+        socket.on("framereceived", note("<"));
+    });
+    const films = async (count: number) => {
+        while (told.filter((message) => message === "<films").length < count) {
+            await tab.waitForTimeout(50);
+        }
+    };
+    await tab.goto(studio.url);
+    await films(1);
+    await tab.focus(slider(FILM));
+    await tab.keyboard.press("ArrowRight");
+    await films(2);
+    const each = ["<shader", ">films", "<films"];
+    assert.deepEqual(told, [...each, ...each]);
+    await tab.close();
+});
+
 /** The mean of what is red, green and blue on the screen, a byte each. */
 const mean = (canvas: string) =>
     page.$eval(canvas, (element) => {
