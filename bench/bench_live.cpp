@@ -48,35 +48,40 @@ void BM_LiveSolve(benchmark::State& state, const char* paint) {
     for (auto _ : state) benchmark::DoNotOptimize(slider.move());
 }
 
-void shader(benchmark::State& state, const char* paint, bool film) {
-    Slider slider(paint, film);
-    auto solved = slider.move();
-    exchange::make_live_webgl_shader(solved);
+/// What is made of the solved paint after each move.
+template <class Make>
+void made(benchmark::State& state, Slider slider, const Make& make) {
+    make(slider.move());
     for (auto _ : state) {
         state.PauseTiming();
-        solved = slider.move();
+        const auto solved = slider.move();
         state.ResumeTiming();
-        benchmark::DoNotOptimize(exchange::make_live_webgl_shader(solved));
+        benchmark::DoNotOptimize(make(solved));
     }
 }
 
-void BM_LiveShader(benchmark::State& state, const char* paint) { shader(state, paint, false); }
-void BM_LiveShaderOfOtherFilm(benchmark::State& state, const char* paint) {
-    shader(state, paint, true);
+void BM_LiveShader(benchmark::State& state, const char* paint) {
+    made(state, Slider(paint, false),
+         [](const auto& solved) { return exchange::make_live_webgl_shader(solved); });
+}
+/// Of another film after each.
+void BM_LiveFilms(benchmark::State& state, const char* paint) {
+    made(state, Slider(paint, true),
+         [](const auto& solved) { return exchange::make_live_webgl_films(*solved); });
 }
 
-#define NACRE_LIVE(name, paint)                              \
-    BENCHMARK_CAPTURE(BM_LiveSolve, name, paint)             \
-        ->Unit(benchmark::kMillisecond)                      \
-        ->MeasureProcessCPUTime()                            \
-        ->UseRealTime();                                     \
-    BENCHMARK_CAPTURE(BM_LiveShaderOfOtherFilm, name, paint) \
-        ->Unit(benchmark::kMillisecond)                      \
-        ->MeasureProcessCPUTime()                            \
-        ->UseRealTime();                                     \
-    BENCHMARK_CAPTURE(BM_LiveShader, name, paint)            \
-        ->Unit(benchmark::kMillisecond)                      \
-        ->MeasureProcessCPUTime()                            \
+#define NACRE_LIVE(name, paint)                   \
+    BENCHMARK_CAPTURE(BM_LiveSolve, name, paint)  \
+        ->Unit(benchmark::kMillisecond)           \
+        ->MeasureProcessCPUTime()                 \
+        ->UseRealTime();                          \
+    BENCHMARK_CAPTURE(BM_LiveShader, name, paint) \
+        ->Unit(benchmark::kMillisecond)           \
+        ->MeasureProcessCPUTime()                 \
+        ->UseRealTime();                          \
+    BENCHMARK_CAPTURE(BM_LiveFilms, name, paint)  \
+        ->Unit(benchmark::kMillisecond)           \
+        ->MeasureProcessCPUTime()                 \
         ->UseRealTime()
 NACRE_LIVE(red_gold, "red-gold");
 NACRE_LIVE(ruby, "ruby");
