@@ -117,7 +117,7 @@ std::vector<WebglUniform> webgl_flake_uniforms(
 WebglTexture webgl_lobe_shapes();
 
 /// Between the cosines of films: half as many as the path tracer has, at half as many wavelengths, so that
-/// a film's slider waits for a quarter of the work.
+/// flakes wait for a quarter of the work when a film's slider moves.
 inline constexpr int kWebglFilmIntervals = 32;
 /// @param species  their films by bands and kWebglFilmIntervals
 /// @throws DomainError if no texture is high enough

@@ -88,8 +88,8 @@ struct WebglFilms {
     WebglTexture texture;  ///< nacreFilms
     WebglUniform uniform;  ///< nacreFieldFilms, in the place of that of the shader
 };
-/// What tells single flakes of make_live_webgl_shader() apart. The mean does not need it, and it takes as
-/// long as all else where a film has changed.
+/// What tells single flakes of make_live_webgl_shader() apart. The mean does not need it; where a film has
+/// changed it takes nearly half as long as all else.
 /// @throws DomainError, Stopped as bsdf::FlakeFilms; DomainError if no texture is high enough
 WebglFilms make_live_webgl_films(const solver::SolvedPaint& paint, const Progress& progress = {});
 
