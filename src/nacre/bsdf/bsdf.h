@@ -74,6 +74,7 @@ struct AskedFlake {
     /// Nearly in proportion to flake_weight(), as an eye sees it: to choose among flakes by.
     float strength = 0;
     int species = 0, flake = 0;
+    FloatLanes colour{};  ///< nearly flake_weight() over `strength`
 };
 
 /// A cache of what a surface has computed for a patch, so that it need not be computed again for

@@ -243,7 +243,7 @@ LocalSurface PathTracer::surface_at(const Hit& hit, Vec3f wi, const Branch& bran
 
 // Each flake of the patch is asked for the light that lights alone would send along the direction
 // in which it mirrors the eye. One is chosen by the answers, and its ray is followed: the choice
-// adds no noise but that of what stands in between.         [talbot-2005]
+// adds no noise but that of what stands in between [talbot-2005], and of the colour of lights.
 //
 // Other surfaces reflect light as well, towards flakes that see no light themselves. So some samples
 // follow a second ray, of a flake chosen by strength alone. What surfaces send along either is weighed
@@ -261,6 +261,7 @@ void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
     brightness.assign(flakes.size(), 0.0f);
     strength.assign(flakes.size(), 0.0f);
     float answers = 0, strengths = 0;
+    FloatLanes expected{};  // what all of them send, under white light
     for (std::size_t first = 0; first < flakes.size(); first += kLanes) {
         const std::size_t count = std::min<std::size_t>(kLanes, flakes.size() - first);
         const auto of_each = [&](auto&& member) {
@@ -284,6 +285,7 @@ void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
             strength[first + lane] = flakes[first + lane].strength;
             brightness[first + lane] = strength[first + lane] * light[lane];
             answers += brightness[first + lane];
+            expected += brightness[first + lane] * flakes[first + lane].colour;
             strengths += strength[first + lane];
         }
     }
@@ -310,6 +312,10 @@ void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
                      .lobe = lobe_of(flake.pdf)};
     };
     if (const auto k = chosen(brightness, u[2] * answers)) {
+        // Flakes whose films differ have other colours: the one that is chosen would lend its own to all.
+        // What is added has the mean 0, whatever the colours.           [veach-1997, section 2.5]
+        path_.radiance +=
+            surface.asked_weight * pass_.d65 * (expected - answers * flakes[*k].colour);
         const float both = by_light(*k) + by_strength(*k);
         follow_flake(flake_, *k, by_light(*k), 1, by_light(*k) / both, kFlakeVertex);
     }

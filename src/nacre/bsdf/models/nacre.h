@@ -180,7 +180,7 @@ class BoundNacre final : public BoundMicroflake {
     FloatLanes relative_attenuation(std::size_t species, std::size_t layer,
                                     const sparkle::FlakeView& view, int flake, float cosine,
                                     const FloatLanes& depth, const HotSpot::Pair* pair) const;
-    // What the eye sees along w_i of flakes of one species, each of which mirrors it up into w_o: a guess,
+    // What is seen along w_i of flakes of one species, each of which mirrors it up into w_o: a guess,
     // by sqrt(1 - cos theta) outside at even steps, which are nearly even angles.
     struct SeenFlakes {
         static constexpr int kIntervals = 12;
@@ -222,7 +222,7 @@ class BoundNacre final : public BoundMicroflake {
     // Where a flake mirrors w_i that leans sideways as far as half of them do; if it mirrors it down or
     // back into the coat, as one that lies flat. There the hot spot is as it is for most of them.
     Ray typical_mirrored(std::size_t species, const Ray& i) const;
-    SeenFlakes seen_flakes(std::size_t species, const FloatLanes& eye) const;
+    SeenFlakes seen_flakes(std::size_t species) const;
     // Per solid angle outside, of directions spread over the lobe of a typical flake that mirrors
     // wi upwards.
     float slope_density(std::size_t species, Vec3f wi) const;
@@ -235,6 +235,7 @@ class BoundNacre final : public BoundMicroflake {
     std::vector<BoundFlakeFilms> films_;  // by species
     std::optional<HotSpot> hot_spot_;
     std::vector<HotSpot> hot_spot_nodes_;
+    FloatLanes eye_{};                     // response_of_eye()
     std::vector<SeenFlakes> seen_flakes_;  // by species
 };
 

@@ -27,7 +27,7 @@ Ray BoundNacre::typical_mirrored(std::size_t species, const Ray& i) const {
     return make_ray(wo ? *wo : Vec3f{-i.outside.x, -i.outside.y, i.outside.z});
 }
 
-BoundNacre::SeenFlakes BoundNacre::seen_flakes(std::size_t species, const FloatLanes& eye) const {
+BoundNacre::SeenFlakes BoundNacre::seen_flakes(std::size_t species) const {
     const sparkle::FlakeField& field = tables_->species[species].field;
     const sparkle::DiffractionLobe& lobe = field.lobe();
     sparkle::FlakeView view;  // of one typical flake
@@ -35,8 +35,8 @@ BoundNacre::SeenFlakes BoundNacre::seen_flakes(std::size_t species, const FloatL
     view.weight[0] = 1;
     view.typical_radius = field.constants().typical_radius;
     view.lobe_radius[0] = lobe.radius(static_cast<float>(field.population().diameter_um));
-    // Of a flake that mirrors w_i into w_o: what it sends there by flake_weight(), as an eye sees it, and
-    // how many do, per solid angle.
+    // Of a flake that mirrors w_i into w_o: what it sends there by flake_weight(), and how many do,
+    // per solid angle.
     struct Sent {
         FloatLanes light{};
         float flakes = 0;
@@ -48,7 +48,7 @@ BoundNacre::SeenFlakes BoundNacre::seen_flakes(std::size_t species, const FloatL
         view.slope_y[0] = half.slope.y;
         const float seen = view.fraction(lobe, half.slope, half.cosine, 0, half.spread2) *
                            o.outside.z / flake_pdf(view, species, 0, i, o);
-        return Sent{seen * eye * single_value(i, o, AllOfSpecies(*this, species, i, o, bare)),
+        return Sent{seen * single_value(i, o, AllOfSpecies(*this, species, i, o, bare)),
                     lobe.slope_density(half.slope2) * half.per_solid_angle * solid_angle_ratio(o)};
     };
     SeenFlakes seen;
@@ -57,7 +57,8 @@ BoundNacre::SeenFlakes BoundNacre::seen_flakes(std::size_t species, const FloatL
         const Ray i = make_ray({std::sqrt(1 - cosine_i * cosine_i), 0, cosine_i});
         const Ray typical = typical_mirrored(species, i);
         const Sent bare = sent(i, typical, true), covered = sent(i, typical, false);
-        if (!(lane_sum(covered.light) > 0)) continue;
+        const float covered_light = lane_sum(eye_ * covered.light);
+        if (!(covered_light > 0)) continue;
         seen.light[a] = bare.light;
         // Outwards from as steep as w_i; beyond the last flakes as there.
         SeenFlakes::ByCosine<float>& relative = seen.relative[a];
@@ -71,12 +72,11 @@ BoundNacre::SeenFlakes BoundNacre::seen_flakes(std::size_t species, const FloatL
                 const Ray o = make_ray({-sine * std::cos(phi), sine * std::sin(phi), cosine});
                 const Sent there = sent(i, o, false);
                 const float weight = n == 0 || n == kAzimuths - 1 ? 0.5f : 1.0f;
-                light += weight * there.flakes * lane_sum(there.light);
+                light += weight * there.flakes * lane_sum(eye_ * there.light);
                 flakes += weight * there.flakes;
             }
-            relative[b] = flakes > 0
-                              ? std::max(light / (flakes * lane_sum(covered.light)), kLeastSeen)
-                              : relative[before];
+            relative[b] = flakes > 0 ? std::max(light / (flakes * covered_light), kLeastSeen)
+                                     : relative[before];
         };
         for (int b = a; b >= 0; --b) fill(b, b + 1);
         for (int b = a + 1; b < SeenFlakes::kNodes; ++b) fill(b, b - 1);
@@ -113,13 +113,16 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
         for (int first = 0; first < view.count; first += kLanes) {
             const int last = std::min(kLanes, view.count - first);
             FloatLanes strength{};
+            std::array<FloatLanes, kLanes> colour;
             for (int lane = 0; lane < last; ++lane) {
                 const int k = first + lane;
                 const Vec3f normal = normalize(Vec3f{view.slope_x[k], view.slope_y[k], 1});
                 const FloatLanes seen =
-                    relative_attenuation(s, layer, view, k, std::abs(dot(i.inside, normal)), depth,
-                                         pair ? &*pair : nullptr);
-                strength[lane] = view.weight[k] * lane_sum(light * seen);
+                    light * relative_attenuation(s, layer, view, k, std::abs(dot(i.inside, normal)),
+                                                 depth, pair ? &*pair : nullptr);
+                const float luminance = lane_sum(eye_ * seen);
+                strength[lane] = view.weight[k] * luminance;
+                colour[lane] = luminance > 0 ? seen / luminance : FloatLanes{};
             }
             const auto bits = hash_of(random, s, first);
             const UintLanes by_flake =
@@ -150,7 +153,8 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
                                     pdf[lane],
                                     strength[lane] * SeenFlakes::Place(oz[lane]).in(relative),
                                     static_cast<int>(s),
-                                    first + lane});
+                                    first + lane,
+                                    colour[lane]});
                 }
             }
         }

@@ -92,17 +92,19 @@ TEST(NacreAsked, LobesReflectWhatTheirFlakesDo) {
 }
 
 // A flake is chosen by a guess of what it reflects: what the guess misses is noise of pictures. Without
-// where the light comes from, and the films' colours, it missed 11 to 18 %.
+// where the light comes from, and the films' colours, it missed 11 to 18 %. So is what the guess of its
+// colour misses, per wavelength.
 TEST(NacreAsked, TheGuessIsWhatTheFlakesReflect) {
     paint::FlakeSpecies wavy = metal_flake(18, 0.9);
     wavy.waviness = 0.06;
     struct Case {
         paint::FlakeSpecies flake;
-        double roughness, miss;
+        double roughness, miss, colour_miss;
     };
-    // Of paints that ship 0.01 to 0.06 under smooth coats, 0.06 to 0.16 under a rough one.
-    for (const Case& c :
-         {Case{wavy, 0, 0.06}, Case{pearl_flake(18), 0, 0.1}, Case{wavy, 0.12, 0.2}}) {
+    // Of paints that ship 0.01 to 0.06 under smooth coats, 0.06 to 0.16 under a rough one. Colours of films change
+    // fast with the angle on the flake at 60 deg.
+    for (const Case& c : {Case{wavy, 0, 0.06, 0.06}, Case{pearl_flake(18), 0, 0.1, 0.4},
+                          Case{wavy, 0.12, 0.2, 0.2}}) {
         paint::Recipe recipe = paint_of({c.flake});
         recipe.clearcoat->roughness = c.roughness;
         const SparklingModel model(recipe, {.specimen = 1});
@@ -111,13 +113,18 @@ TEST(NacreAsked, TheGuessIsWhatTheFlakesReflect) {
             const Vec3f wi = direction(deg, 20);
             Rng rng(8, 1);
             double guessed = 0, reflected = 0, squares = 0;
+            FloatLanes missed{}, in_all{};  // squares of what colours miss, and of what there is
             std::vector<AskedFlake> flakes;
             for (int n = 0; n < 500; ++n) {
                 const Patch patch = apart(rng, side_mm);
                 model.bound->ask_flakes(patch, wi, static_cast<std::uint32_t>(n) * 977u, flakes);
                 for (const AskedFlake& flake : flakes) {
-                    const double light = lane_sum(response_of_eye(kOnGrid) *
-                                                  model.bound->flake_weight(patch, wi, flake));
+                    const FloatLanes weight = model.bound->flake_weight(patch, wi, flake);
+                    const double light = lane_sum(response_of_eye(kOnGrid) * weight);
+                    const FloatLanes miss = weight - static_cast<float>(light) * flake.colour;
+                    missed += miss * miss / flake.strength;
+                    in_all += weight * weight / flake.strength;
+                    EXPECT_NEAR(lane_sum(response_of_eye(kOnGrid) * flake.colour), 1, 1e-5);
                     guessed += flake.strength;
                     reflected += light;
                     squares += light * light / flake.strength;
@@ -127,6 +134,10 @@ TEST(NacreAsked, TheGuessIsWhatTheFlakesReflect) {
             const double miss = std::sqrt(squares * guessed / (reflected * reflected) - 1);
             EXPECT_LT(miss, c.miss) << deg << " deg, roughness " << c.roughness;
             EXPECT_GT(miss, 1e-3);
+            for (int w = 0; w < kLanes; ++w) {
+                EXPECT_LT(std::sqrt(missed[w] / in_all[w]), c.colour_miss)
+                    << deg << " deg, lane " << w;
+            }
         }
     }
 }

@@ -75,9 +75,9 @@ BoundNacre::BoundNacre(std::shared_ptr<const Nacre::Tables> tables, const Wavele
     if (tables_->hot_spot) hot_spot_.emplace(*tables_->hot_spot, where());
     for (const HotSpotTables& node : tables_->hot_spot_nodes)
         hot_spot_nodes_.emplace_back(node, where());
-    const FloatLanes eye = response_of_eye(wavelengths);
+    eye_ = response_of_eye(wavelengths);
     for (std::size_t s = 0; s < tables_->species.size(); ++s)
-        seen_flakes_.push_back(seen_flakes(s, eye));
+        seen_flakes_.push_back(seen_flakes(s));
 }
 
 FloatLanes BoundNacre::mean_value(const Ray& i, const Ray& o) const {
