@@ -54,6 +54,7 @@ Pass::Pass(const CompiledScene& scene, std::uint32_t index)
       xyz_weights(film_xyz_weights(wavelengths_nm)),
       emission(scene.emission.at(wavelengths_nm)) {
     static const spectra::Spectrum d65_spectrum = unit_illuminant(spectra::Illuminant::D65);
+    common_colour = scene.lights->common_colour(emission.data());
     d65 = make_lanes([&](int i) { return static_cast<float>(d65_spectrum(wavelengths_nm[i])); });
     surfaces.reserve(scene.materials.size());
     for (const auto& material : scene.materials) {
@@ -261,7 +262,7 @@ void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
     brightness.assign(flakes.size(), 0.0f);
     strength.assign(flakes.size(), 0.0f);
     float answers = 0, strengths = 0;
-    FloatLanes expected{};  // what all of them send, under white light
+    FloatLanes expected{};  // what all of them send, of light that is 1 at all wavelengths
     for (std::size_t first = 0; first < flakes.size(); first += kLanes) {
         const std::size_t count = std::min<std::size_t>(kLanes, flakes.size() - first);
         const auto of_each = [&](auto&& member) {
@@ -313,9 +314,10 @@ void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
     };
     if (const auto k = chosen(brightness, u[2] * answers)) {
         // Flakes whose films differ have other colours: the one that is chosen would lend its own to all.
-        // What is added has the mean 0, whatever the colours.           [veach-1997, section 2.5]
+        // What is added has the mean 0, whatever the colours [veach-1997, section 2.5], and is of the light
+        // that all lights have in common: where one has none, it would be noise.
         path_.radiance +=
-            surface.asked_weight * pass_.d65 * (expected - answers * flakes[*k].colour);
+            surface.asked_weight * pass_.common_colour * (expected - answers * flakes[*k].colour);
         const float both = by_light(*k) + by_strength(*k);
         follow_flake(flake_, *k, by_light(*k), 1, by_light(*k) / both, kFlakeVertex);
     }

@@ -26,6 +26,7 @@ struct Pass {
     XyzWeights xyz_weights;
     FloatLanes d65;  ///< of luminance 1
     std::vector<FloatLanes> emission;
+    FloatLanes common_colour{};  ///< LightSet::common_colour()
     BoundMaterials surfaces;
     std::size_t patch_memory_bytes = 0;  ///< the most that one of them needs
 };

@@ -304,6 +304,17 @@ FloatLanes LightSet::radiance_of(const Entry& entry, Vec3f direction,
     return FloatLanes{};
 }
 
+FloatLanes LightSet::common_colour(const FloatLanes* basis) const {
+    FloatLanes least = splat(kInfinity);
+    const auto add = [&](const FloatLanes& colour) {
+        if (lane_max(colour) > 0) least = min_lanes(least, colour);  // what is black sends nothing
+    };
+    for (const auto& cell : colours_) add(environment_->combined(cell, basis));
+    if (sun_) add(sun_radiance(basis) / static_cast<float>(sun_->luminance));
+    for (const CompiledRectangle& light : rectangles_) add(basis[light.spectrum]);
+    return least[0] < kInfinity ? max_lanes(least, FloatLanes{}) : FloatLanes{};
+}
+
 FloatLanes LightSet::sum_per_luminance(const Entry& entry, const Vec3Lanes& direction,
                                        const FloatLanes* basis) const {
     switch (entry.kind) {

@@ -94,6 +94,9 @@ class LightSet {
     template <class Weight>
     FloatLanes brightness(Vec3f point_mm, const Vec3Lanes& direction, const Weight& weight) const;
 
+    /// Radiance per brightness() that no light falls short of, at any wavelength: 0 where one lacks light.
+    FloatLanes common_colour(const FloatLanes* basis) const;
+
     FloatLanes rectangle_radiance(int rectangle, const FloatLanes* basis) const {
         const CompiledRectangle& r = rectangles_[rectangle];
         return r.radiance * basis[r.spectrum];

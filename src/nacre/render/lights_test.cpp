@@ -121,6 +121,31 @@ TEST(LightSet, WhatShinesIsNotTakenForBlack) {
     }
 }
 
+// What is added of it, to whatever one light sends, must not be more than that light has.
+TEST(LightSet, NoLightHasLessThanTheCommonColour) {
+    const auto common = [](const std::vector<Light>& lamps, const Environment& environment) {
+        EmissionBasis basis;
+        const LightSet lights(lamps, environment, {}, 100, basis);
+        return lights.common_colour(basis.at(film_wavelengths(0)).data());
+    };
+    const auto colour = [](spectra::Illuminant illuminant) {
+        const spectra::Spectrum spectrum = unit_illuminant(illuminant);
+        const bsdf::Wavelengths nm = film_wavelengths(0);
+        return make_lanes([&](int k) { return static_cast<float>(spectrum(nm[k])); });
+    };
+    const FloatLanes d65 = colour(spectra::Illuminant::D65), a = colour(spectra::Illuminant::A);
+    const Environment white = ConstantEnvironment{};
+    const RectangleLight lamp{.center_mm = {300, 0, 900}, .radiance = {spectra::Illuminant::A, 3}};
+    const FloatLanes alone = common({}, white), both = common({lamp}, white);
+    const FloatLanes in_sky = common({}, SkyEnvironment{.sun_elevation_deg = 35});
+    for (int k = 0; k < kLanes; ++k) {
+        EXPECT_NEAR(alone[k], d65[k], 1e-3f * d65[k]);
+        EXPECT_NEAR(both[k], std::min(d65[k], a[k]), 1e-3f * d65[k]);
+        EXPECT_GT(in_sky[k], 0);
+        EXPECT_LT(in_sky[k], 1.5f * d65[k]);
+    }
+}
+
 // An even sky is left to samples of surfaces, which find it wherever they look.
 TEST(LightSet, BesideSurfacesAnEvenSkyIsNotSampled) {
     EmissionBasis basis;
