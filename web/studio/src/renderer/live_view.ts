@@ -13,6 +13,7 @@ import type { Part } from "./flakes";
 import { flakeValues, restMatrix, sampleOf } from "./flakes";
 import { lightValues } from "./lights";
 import type { Light, Mesh, PaintFilms, PaintShader, Transform } from "./paint";
+import { Pace, REST_MS } from "./pace";
 import { uniformValues, withFilms } from "./paint";
 import { clear, filled, Pass, rendererOn } from "./pass";
 import { EVERYWHERE, MOST_RECTANGLES, SHAPE_FRAGMENT, SHAPE_VERTEX, shading } from "./passes";
@@ -45,28 +46,12 @@ export interface LiveOptions {
 /** What filled() takes beside a texture that was. */
 type Numbers = Parameters<typeof filled> extends [unknown, ...infer Rest] ? Rest : never;
 
-/**
- * As long as drawing may take in a frame without the page becoming slow, and in the frame that follows a
- * move, unless the least that it shows takes longer. A card draws oftener than processors for less: what
- * is new then waits for less, chips too.
- */
-const BY_CARD = { frame_ms: 12, moving_ms: 6 };
-const BY_PROCESSOR = { frame_ms: 30, moving_ms: 12 };
-/** Who has drawn a frame in less is a card, or as fast as one. */
-const CARD_MS = 15;
-/** Samples of pixels that are worth a frame on any machine. */
-const LEAST_WORK = 4096;
 const COARSE_SAMPLES = 24;
 /** Fine enough for lights; coarse enough for many samples of a pixel, and to tell glitter from its mean. */
 const LEAST_COARSE = 3;
 const MOST_COARSE = 10;
 /** Between looks whether a frame has been drawn. */
 const POLL_MS = 2;
-/**
- * Where a frame does not hold the whole picture what is new is drawn once, and not refined before so long:
- * the next move may be on its way.
- */
-const REST_MS = 200;
 /** Of a sample that asks flakes, over one that does not, where processors draw. */
 const ASKING_COST = 6;
 const MOST_SAMPLES = 1024;
@@ -96,11 +81,7 @@ export class LiveView {
     private whole: Sums | null = null;
     private coarse: Sums | null = null;
     private coarseness = 3;
-    /** Samples of pixels per millisecond of drawing. */
-    private speed = 2000;
-    /** What a frame takes whatever is drawn: the shortest yet. */
-    private overhead_ms = 16;
-    private frame_ms = 0;
+    private readonly pace = new Pace();
     /** Whether a frame is being drawn. */
     private underWay = false;
     private request = 0;
@@ -224,7 +205,7 @@ export class LiveView {
         return {
             samples: this.whole?.samples ?? 0,
             compiling: this.nextPaint !== null,
-            frame_ms: this.frame_ms,
+            frame_ms: this.pace.frame_ms,
             coarseness: this.coarseness,
         };
     }
@@ -342,10 +323,7 @@ export class LiveView {
             }
             gl.deleteSync(sync);
             this.underWay = false;
-            this.frame_ms = performance.now() - begun;
-            this.overhead_ms = Math.min(this.overhead_ms, this.frame_ms);
-            const drawing_ms = Math.max(this.frame_ms - this.overhead_ms, 1);
-            this.speed = 0.5 * this.speed + (0.5 * work) / drawing_ms;
+            this.pace.drawn(performance.now() - begun, work);
             this.schedule();
         };
         setTimeout(look, POLL_MS);
@@ -385,9 +363,7 @@ export class LiveView {
         if (!whole || !this.transform || !this.light || !this.camera || !this.paint) return 0;
         if (!this.shape.ready() || !this.shown.ready()) return 0;
         const pixels = whole.target.width * whole.target.height;
-        const { frame_ms, moving_ms } = this.overhead_ms < CARD_MS ? BY_CARD : BY_PROCESSOR;
-        const budget = Math.max(frame_ms * this.speed, LEAST_WORK);
-        const moving = moving_ms * this.speed;
+        const { budget, moving } = this.pace.budgets();
         // One sample shows a part of a pixel's flakes, which glitter more than all of them.
         const { asks } = sampleOf(0, this.showsFlakesIn(whole));
         const least = asks ? ENOUGH * ASKING_COST * pixels : pixels;

@@ -1,0 +1,44 @@
+/** How much is drawn in a frame, by the time that the last frames took. */
+
+/**
+ * As long as drawing may take in a frame without the page becoming slow, and in the frame that follows a
+ * move, unless the least that it shows takes longer. A card draws oftener than processors for less: what
+ * is new then waits for less, chips too.
+ */
+const BY_CARD = { frame_ms: 12, moving_ms: 6 };
+const BY_PROCESSOR = { frame_ms: 30, moving_ms: 12 };
+/** Who has drawn a frame in less is a card, or as fast as one. */
+const CARD_MS = 15;
+/** Samples of pixels that are worth a frame on any machine. */
+const LEAST_WORK = 4096;
+/**
+ * Where a frame does not hold the whole picture what is new is drawn once, and not refined before so long:
+ * the next move may be on its way.
+ */
+export const REST_MS = 200;
+
+export class Pace {
+    /** The last frame's, from when it was begun until the graphics processor had drawn it. */
+    frame_ms = 0;
+    /** Samples of pixels per millisecond of drawing. */
+    private speed = 2000;
+    /** What a frame takes whatever is drawn: the shortest yet. */
+    private overhead_ms = 16;
+
+    /** @returns samples of pixels, in any frame and in the one that follows a move */
+    budgets(): { budget: number; moving: number } {
+        const { frame_ms, moving_ms } = this.overhead_ms < CARD_MS ? BY_CARD : BY_PROCESSOR;
+        return {
+            budget: Math.max(frame_ms * this.speed, LEAST_WORK),
+            moving: moving_ms * this.speed,
+        };
+    }
+
+    /** @param work  samples of pixels of the frame that was drawn */
+    drawn(frame_ms: number, work: number): void {
+        this.frame_ms = frame_ms;
+        this.overhead_ms = Math.min(this.overhead_ms, frame_ms);
+        const drawing_ms = Math.max(frame_ms - this.overhead_ms, 1);
+        this.speed = 0.5 * this.speed + (0.5 * work) / drawing_ms;
+    }
+}
