@@ -195,6 +195,9 @@ class GltfGeometry {
             const bool named = name != material.end() && name->is_string();
             out_["materials"].push_back({{"name", named ? *name : json("")}});
         }
+        if (out_["materials"].size() > kMaxMeshMaterials) {
+            throw MeshFault(fmt::format("has more than {} materials", kMaxMeshMaterials));
+        }
         return out_["materials"].size();
     }
 

@@ -20,6 +20,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,9 @@
 #include "nacre/core/text.h"
 #include "nacre/render/gltf.h"
 #include "nacre/render/mesh_fault.h"
+#include "nacre/render/obj.h"
 #include "nacre/render/ply.h"
+#include "nacre/render/smooth_normals.h"
 
 namespace nacre::render {
 
@@ -104,13 +107,18 @@ void keep_only(Assimp::Importer& importer, const char* name) {
     }
 }
 
-/// Post-processing asserts that faces have vertices, which ends the program.
+/// Post-processing asserts that faces have vertices, which ends the program, and takes the longer the more
+/// one has.
 void require_vertices(const aiScene& scene) {
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
         const aiMesh& mesh = *scene.mMeshes[i];
         for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
             const aiFace& face = mesh.mFaces[f];
             if (face.mNumIndices == 0) throw MeshFault(fmt::format("face {} has no vertices", f));
+            if (face.mNumIndices > kMaxFaceCorners) {
+                throw MeshFault(fmt::format("face {} has {} corners; at most {} are read", f,
+                                            face.mNumIndices, kMaxFaceCorners));
+            }
             for (unsigned k = 0; k < face.mNumIndices; ++k) {
                 if (face.mIndices[k] >= mesh.mNumVertices) {
                     throw MeshFault(fmt::format("face {} names vertex {} of {}", f,
@@ -125,51 +133,52 @@ bool is_finite(const aiVector3D& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// Texture coordinates as the file has them; none for the whole mesh if a part has none.
-void append_uv(const aiMesh& part, Mesh& mesh) {
-    const bool complete = mesh.uv.size() + part.mNumVertices == mesh.positions_mm.size();
-    if (!complete || !part.HasTextureCoords(0)) {
-        mesh.uv.clear();
-        return;
-    }
-    for (unsigned i = 0; i < part.mNumVertices; ++i) {
-        const aiVector3D& t = part.mTextureCoords[0][i];
-        if (!is_finite(t)) {
-            mesh.uv.clear();
-            return;
-        }
-        mesh.uv.push_back({t.x, t.y});
-    }
-}
-
-void append(const aiMesh& part, float mm_per_unit, bool y_up, Mesh& mesh) {
-    const auto first = mesh.positions_mm.size();
-    if (first + part.mNumVertices > std::numeric_limits<std::uint32_t>::max()) {
-        throw MeshFault("has more than 2^32 vertices");
-    }
+/// Triangles of a part, their vertices after those of the mesh.
+void append(const aiMesh& part, float mm_per_unit, bool y_up, double crease_angle_deg, Mesh& mesh) {
     const auto turn = [y_up](const aiVector3D& v) {
         return y_up ? Vec3f{v.x, -v.z, v.y} : Vec3f{v.x, v.y, v.z};
     };
-    for (unsigned i = 0; i < part.mNumVertices; ++i) {
+    std::vector<unsigned> corners;
+    for (unsigned i = 0; i < part.mNumFaces; ++i) {
+        const aiFace& face = part.mFaces[i];
+        if (face.mNumIndices != 3) continue;  // points and lines have no area
+        corners.insert(corners.end(), face.mIndices, face.mIndices + 3);
+    }
+    const std::size_t first = mesh.positions_mm.size();
+    if (first + corners.size() > std::numeric_limits<std::uint32_t>::max()) {
+        throw MeshFault("has more than 2^32 vertices");
+    }
+    // Texture coordinates as the file has them; none for the whole mesh if a part has none.
+    bool laid_out = mesh.uv.size() == first && part.HasTextureCoords(0);
+    for (const unsigned i : corners) {
         if (!is_finite(part.mVertices[i])) {
             throw MeshFault(
                 fmt::format("vertex {} of '{}' is not finite", i, excerpt(part.mName.C_Str())));
         }
         mesh.positions_mm.push_back(mm_per_unit * turn(part.mVertices[i]));
-        // A vertex of degenerate triangles alone has no normal; it is never seen.
-        const bool usable =
-            part.HasNormals() && is_finite(part.mNormals[i]) && part.mNormals[i].SquareLength() > 0;
-        mesh.normals.push_back(usable ? normalize(turn(part.mNormals[i])) : Vec3f{0, 0, 1});
+        laid_out = laid_out && is_finite(part.mTextureCoords[0][i]);
+        if (laid_out) mesh.uv.push_back({part.mTextureCoords[0][i].x, part.mTextureCoords[0][i].y});
     }
-    append_uv(part, mesh);
-    for (unsigned i = 0; i < part.mNumFaces; ++i) {
-        const aiFace& face = part.mFaces[i];
-        if (face.mNumIndices != 3) continue;  // points and lines have no area
-        std::array<std::uint32_t, 3> triangle{};
-        for (int k = 0; k < 3; ++k) {
-            triangle[k] = static_cast<std::uint32_t>(first + face.mIndices[k]);
+    if (!laid_out) mesh.uv.clear();
+
+    const auto normal_of_file = [&](unsigned i) {
+        const aiVector3D n = part.HasNormals() ? part.mNormals[i] : aiVector3D();
+        return is_finite(n) && n.SquareLength() > 0 ? normalize(turn(n)) : Vec3f{0, 0, 0};
+    };
+    std::vector<Vec3f> made;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        Vec3f normal = normal_of_file(corners[k]);
+        if (normal == Vec3f{0, 0, 0}) {
+            if (made.empty()) {
+                made = smooth_normals(std::span(mesh.positions_mm).subspan(first), crease_angle_deg);
+            }
+            normal = made[k];
         }
-        mesh.triangles.push_back(triangle);
+        mesh.normals.push_back(normal);
+    }
+    for (std::size_t k = first; k < mesh.positions_mm.size(); k += 3) {
+        const auto i = static_cast<std::uint32_t>(k);
+        mesh.triangles.push_back({i, i + 1, i + 2});
     }
 }
 
@@ -195,17 +204,14 @@ Mesh read_with_assimp(std::string_view bytes, const std::string& extension,
     }
     const std::string name = "mesh" + extension;
     importer.SetIOHandler(new MeshFiles(name, bytes, references));  // which deletes it
-    importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE,
-                              static_cast<float>(file.crease_angle_deg));
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                                 aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     const aiScene* scene = importer.ReadFile(name, 0);
     if (scene) {
         require_vertices(*scene);
-        scene = importer.ApplyPostProcessing(
-            aiProcess_Triangulate | aiProcess_JoinIdenticalVertices | aiProcess_GenSmoothNormals |
-            aiProcess_PreTransformVertices | aiProcess_SortByPType |
-            aiProcess_ValidateDataStructure);
+        scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_PreTransformVertices |
+                                             aiProcess_SortByPType |
+                                             aiProcess_ValidateDataStructure);
     }
     if (scene == nullptr || (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE) != 0) {
         throw MeshFault(
@@ -222,10 +228,11 @@ Mesh read_with_assimp(std::string_view bytes, const std::string& extension,
         const std::string name = material_name(*scene, part);
         names.insert(name);
         if (!file.part.empty() && name != file.part) continue;
-        append(part, static_cast<float>(mm_per_unit), file.y_up || gltf, mesh);
+        append(part, static_cast<float>(mm_per_unit), file.y_up || gltf, file.crease_angle_deg, mesh);
     }
     if (!file.part.empty() && !names.contains(file.part)) refuse_part(file.part, names);
     if (mesh.triangles.empty()) throw MeshFault("has no triangles");
+    join_equal_vertices(mesh);
     if (parts) *parts = std::move(names);
     return mesh;
 }
@@ -238,7 +245,8 @@ Mesh parse(std::string_view bytes, const MeshFile& file, const References& besid
     const std::string extension = lowercase(file.path.extension().string());
     if (extension == ".obj") {
         if (bytes.find('\0') != std::string_view::npos) throw MeshFault("is no OBJ: is not text");
-        return read_with_assimp(bytes, extension, "Wavefront Object Importer", {}, file, parts);
+        return read_with_assimp(plain_obj(bytes), extension, "Wavefront Object Importer", {}, file,
+                                parts);
     }
     if (extension == ".ply") {
         check_ply(bytes);

@@ -8,7 +8,8 @@
 #include "nacre/render/mesh.h"
 
 // Meshes from files: OBJ, PLY, STL, glTF 2.0. assimp parses them, after a look at what it would
-// trust: it was not made for files that mean harm.
+// trust: it was not made for files that mean harm. Vertices are joined and normals made by Nacre, in a
+// time that many triangles in one place cannot draw out.
 
 namespace nacre::render {
 
@@ -16,6 +17,9 @@ namespace nacre::render {
 inline constexpr std::size_t kMaxMeshBytes = std::size_t{1} << 30;  ///< with all buffers of a glTF
 inline constexpr std::size_t kMaxMeshNodes = 100'000;               ///< of a glTF
 inline constexpr int kMaxMeshNodeDepth = 256;
+inline constexpr std::size_t kMaxMeshMaterials = 10'000;
+inline constexpr unsigned kMaxFaceCorners = 2000;  ///< the time of cutting a face into triangles goes with
+                                                   ///< their square
 /// Vertices and indices of a glTF, those of a mesh counted once for each node that shows it.
 inline constexpr double kMaxMeshElements = 1 << 26;
 

@@ -1,5 +1,6 @@
 #include "nacre/render/mesh_file.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -123,6 +124,71 @@ std::string gltf_with_nodes(const json& nodes, const json& roots = {0}) {
     whole["nodes"] = nodes;
     whole["scenes"] = {{{"nodes", roots}}};
     return whole.dump();
+}
+
+const std::string kCorners = "v 0 0 0\nv 2 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n";
+
+TEST(MeshContents, ObjFacesNameWhatIsThere) {
+    const auto of_line = [](const std::string& line) { return fault(".obj", kCorners + line + "\n"); };
+    for (const char* face : {"f 1 2 3", "f -3 -2 -1", "f 1/1 2/1 3/1", "f 1//1 2//1 3//-1",
+                             "f 1/1/1 2/1/1 3/1/1 # of one kind", "f 1/1/1 2 3/1", "f 1/ 2/ 3/",
+                             "f 1 2 4\nv 5 5 5", "f 1 2 \\\n  3", "f 1 2 3\nf 1 2\nl 1 2\np 9\nvp x"}) {
+        EXPECT_EQ(of_line(face), "accepted") << face;
+    }
+    EXPECT_THAT(of_line("f 1 2 4"), HasSubstr("line 6 is a face that names a vertex that is not "
+                                              "there: 3 are"));
+    EXPECT_THAT(of_line("f 1 2 0"), HasSubstr("a vertex that is not there"));
+    EXPECT_THAT(of_line("f 1 2 -4"), HasSubstr("a vertex that is not there"));
+    EXPECT_THAT(of_line("f 1/2 2/2 3/2"), HasSubstr("a texture coordinate that is not there: 1 are"));
+    EXPECT_THAT(of_line("f 1//2 2//2 3//2"), HasSubstr("a normal that is not there"));
+    EXPECT_THAT(of_line("f 1 2 99999999999999999999"), HasSubstr("a vertex that is not there"));
+    for (const char* face : {"f 1 2 1.5", "f 1 2 x", "f 1 2 /1", "f 1 2 nan"}) {
+        EXPECT_THAT(of_line(face), HasSubstr("line 6 is a face of what are no whole")) << face;
+    }
+    EXPECT_THAT(of_line("f 1/1/1 2/1/1/1 3/1/1"), HasSubstr("more than three numbers"));
+    EXPECT_THAT(of_line("f 1 2 3\nv 1 2"), HasSubstr("line 7 is a vertex of fewer"));
+    EXPECT_THAT(of_line("v 1 2 1e39"), HasSubstr("no finite number"));
+    EXPECT_THAT(of_line("v 1 2 3 0"), HasSubstr("at infinity"));
+    EXPECT_THAT(of_line("f"), HasSubstr("without vertices"));
+    EXPECT_THAT(fault(".obj", kCorners), HasSubstr("has no faces"));
+}
+
+TEST(MeshContents, ObjVerticesMayBeHomogeneousOrColoured) {
+    const Mesh mesh = parse_mesh("v 0 0 0 .5 .5 .5\nv 4 0 0 2\nv 0 1 0\nvt .5\nvt .25 .75 0\n"
+                                 "f 1/1 2/2 3/1\n",
+                                 {.path = "m.obj"});
+    EXPECT_NEAR(testing::area_mm2(mesh), 1, 1e-6);
+    ASSERT_EQ(mesh.uv.size(), 3u);
+    EXPECT_EQ(mesh.uv[1].y, 0.75f);
+}
+
+// Corners without a normal among those with one: made, not taken for straight up.
+TEST(MeshContents, NormalsThatSomeCornersLackAreMade) {
+    const Mesh mesh = parse_mesh("v 0 0 0\nv 0 1 0\nv 0 0 1\nv 0 1 1\nvn .6 .8 0\n"
+                                 "f 1//1 2//1 3//1\nf 2 4 3\n",
+                                 {.path = "m.obj"});
+    ASSERT_EQ(mesh.triangles.size(), 2u);
+    EXPECT_NEAR(mesh.normals[mesh.triangles[0][0]].y, 0.8, 1e-6);
+    EXPECT_NEAR(mesh.normals[mesh.triangles[1][1]].x, 1, 1e-6);
+}
+
+// Both once took a time that goes with the square of their number, or its cube.
+TEST(MeshContents, ManyTrianglesInOnePlaceAndManyMaterialsAreRead) {
+    constexpr int kMany = 200'000;
+    std::string same = kCorners, materials = kCorners;
+    for (int i = 0; i < kMany; ++i) {
+        same += "f 1 2 3\n";
+        materials += fmt::format("usemtl m{}\nf 1 2 3\n", i % 1000);
+    }
+    EXPECT_EQ(parse_mesh(same, {.path = "m.obj"}).positions_mm.size(), 3u);
+    EXPECT_EQ(parse_mesh(materials, {.path = "m.obj"}).triangles.size(), std::size_t{kMany});
+    std::string too_many = kCorners, corners = kCorners + "f";
+    for (std::size_t i = 0; i <= kMaxMeshMaterials; ++i) {
+        too_many += fmt::format("usemtl m{}\nf 1 2 3\n", i);
+    }
+    for (unsigned i = 0; i <= kMaxFaceCorners; ++i) corners += " 1";
+    EXPECT_THAT(fault(".obj", too_many), HasSubstr("more than 10000 materials"));
+    EXPECT_THAT(fault(".obj", corners), HasSubstr("2001 corners; at most 2000"));
 }
 
 TEST(MeshContents, PlyFacesNeedVertices) {

@@ -1,0 +1,113 @@
+#include "nacre/render/smooth_normals.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace nacre::render {
+namespace {
+
+/// Triangles of a sphere of radius 1 about the origin, cut by longitude and latitude.
+std::vector<Vec3f> sphere(int around, int down) {
+    const auto point = [&](int i, int j) {
+        const double u = 2 * std::numbers::pi * (i % around) / around, v = std::numbers::pi * j / down;
+        const double s = j == 0 || j == down ? 0 : std::sin(v);
+        return Vec3f{static_cast<float>(s * std::cos(u)), static_cast<float>(s * std::sin(u)),
+                     static_cast<float>(std::cos(v))};
+    };
+    std::vector<Vec3f> corners;
+    for (int j = 0; j < down; ++j) {
+        for (int i = 0; i < around; ++i) {
+            const Vec3f a = point(i, j), b = point(i, j + 1), c = point(i + 1, j + 1),
+                        d = point(i + 1, j);
+            if (j + 1 < down) corners.insert(corners.end(), {a, b, c});
+            if (j > 0) corners.insert(corners.end(), {a, c, d});
+        }
+    }
+    return corners;
+}
+
+double worst_of_sphere(int around, int down) {
+    const std::vector<Vec3f> corners = sphere(around, down);
+    const std::vector<Vec3f> normals = smooth_normals(corners, 40);
+    double worst = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        worst = std::max(worst, double{length(normals[i] - corners[i])});
+    }
+    return worst;
+}
+
+// The normal of a sphere is its radius; the error goes with the square of the triangles' size.
+TEST(SmoothNormals, AreThoseOfASphere) {
+    const double coarse = worst_of_sphere(32, 16), fine = worst_of_sphere(64, 32);
+    EXPECT_LT(coarse, 0.04);
+    EXPECT_LT(fine, 0.3 * coarse);
+    // More triangles at a pole than are looked at for creases.
+    EXPECT_LT(worst_of_sphere(2000, 100), 0.002);
+}
+
+// Cut in three or in two, a face of a cube counts by its angle.         [thurmer-1998]
+TEST(SmoothNormals, CountTrianglesByTheirAngle) {
+    const Vec3f o{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, xy{1, 1, 0}, yz{0, 1, 1}, zx{1, 0, 1};
+    const std::vector<Vec3f> corners{o, y, xy, o, xy, x,  // below, in two
+                                     o, z, yz, o, yz, y, o, x, zx, o, zx, z};
+    const float third = -1 / std::sqrt(3.0f);
+    const std::vector<Vec3f> normals = smooth_normals(corners, 180);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (!(corners[i] == o)) continue;
+        EXPECT_LT(length(normals[i] - Vec3f{third, third, third}), 1e-6f) << i;
+    }
+}
+
+TEST(SmoothNormals, EndAtCreases) {
+    const Vec3f a{0, 0, 0}, b{0, 1, 0};
+    const auto folded = [&](double degrees) {
+        const double turn = degrees * std::numbers::pi / 180;
+        const Vec3f down{static_cast<float>(std::cos(turn)), 0, static_cast<float>(-std::sin(turn))};
+        const std::vector<Vec3f> corners{a, b, {-1, 0, 0}, b, a, down};
+        const std::vector<Vec3f> normals = smooth_normals(corners, 40);
+        return dot(normals[0], normals[4]);  // both in a
+    };
+    EXPECT_NEAR(folded(39.9), 1, 1e-6);
+    EXPECT_NEAR(folded(40.1), std::cos(40.1 * std::numbers::pi / 180), 1e-6);
+    // Planes are creased where any angle is one, and not by rounding.
+    const std::vector<Vec3f> flat{a, {1, 0.1f, 0.3f}, {1, 1.1f, 0.3f}, a, {1, 1.1f, 0.3f}, b};
+    const std::vector<Vec3f> normals = smooth_normals(flat, 0);
+    EXPECT_EQ(normals[0], normals[3]);
+}
+
+TEST(SmoothNormals, OfNoAreaAreThoseOfWhatTheyMeet) {
+    const Vec3f a{0, 0, 0}, b{1, 0, 0}, c{0, 1, 0}, far{5, 5, 5};
+    const std::vector<Vec3f> normals =
+        smooth_normals(std::vector<Vec3f>{a, c, b, a, b, b, far, far, far}, 40);
+    EXPECT_EQ(normals[3], (Vec3f{0, 0, -1}));
+    EXPECT_EQ(normals[6], (Vec3f{0, 0, 1}));
+}
+
+TEST(EqualVertices, AreJoined) {
+    Mesh mesh;
+    mesh.positions_mm = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 1, 0}};
+    mesh.normals.assign(7, Vec3f{0, 0, 1});
+    mesh.normals[6] = {0, 1, 0};  // a vertex of its own
+    mesh.uv = {{0, 0}, {1, 0}, {0, 1}, {1, 0}, {1, 1}, {0, 1}, {0, 1}};
+    mesh.triangles = {{0, 1, 2}, {3, 4, 5}, {0, 4, 6}};
+    const Mesh before = mesh;
+    join_equal_vertices(mesh);
+    EXPECT_EQ(mesh.positions_mm.size(), 5u);
+    EXPECT_EQ(mesh.triangles[1][0], mesh.triangles[0][1]);
+    EXPECT_NE(mesh.triangles[2][2], mesh.triangles[0][2]);
+    for (std::size_t t = 0; t < 3; ++t) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t now = mesh.triangles[t][k], then = before.triangles[t][k];
+            EXPECT_EQ(mesh.positions_mm[now], before.positions_mm[then]);
+            EXPECT_EQ(mesh.normals[now], before.normals[then]);
+            EXPECT_EQ(mesh.uv[now].x, before.uv[then].x);
+            EXPECT_EQ(mesh.uv[now].y, before.uv[then].y);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace nacre::render
