@@ -32,7 +32,8 @@
 #include "nacre/render/mesh_fault.h"
 #include "nacre/render/obj.h"
 #include "nacre/render/ply.h"
-#include "nacre/render/smooth_normals.h"
+#include "nacre/render/polygon_mesh.h"
+#include "nacre/render/stl.h"
 
 namespace nacre::render {
 
@@ -83,7 +84,7 @@ class MeshFiles final : public Assimp::IOSystem {
     char getOsSeparator() const override { return '/'; }
     Assimp::IOStream* Open(const char* name, const char*) override {
         if (name == name_) return new MemoryStream(bytes_);
-        if (references_ == References()) return nullptr;  // such as the materials of an OBJ
+        if (references_ == References()) return nullptr;  // its buffers stand in it
         std::string bytes = read_file(references_.resolve(name), bytes_left_);
         bytes_left_ -= bytes.size();
         return new MemoryStream(std::move(bytes));
@@ -107,18 +108,13 @@ void keep_only(Assimp::Importer& importer, const char* name) {
     }
 }
 
-/// Post-processing asserts that faces have vertices, which ends the program, and takes the longer the more
-/// one has.
+/// Post-processing asserts that faces have vertices, which ends the program.
 void require_vertices(const aiScene& scene) {
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
         const aiMesh& mesh = *scene.mMeshes[i];
         for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
             const aiFace& face = mesh.mFaces[f];
             if (face.mNumIndices == 0) throw MeshFault(fmt::format("face {} has no vertices", f));
-            if (face.mNumIndices > kMaxFaceCorners) {
-                throw MeshFault(fmt::format("face {} has {} corners; at most {} are read", f,
-                                            face.mNumIndices, kMaxFaceCorners));
-            }
             for (unsigned k = 0; k < face.mNumIndices; ++k) {
                 if (face.mIndices[k] >= mesh.mNumVertices) {
                     throw MeshFault(fmt::format("face {} names vertex {} of {}", f,
@@ -129,88 +125,52 @@ void require_vertices(const aiScene& scene) {
     }
 }
 
-bool is_finite(const aiVector3D& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-/// Triangles of a part, their vertices after those of the mesh.
-void append(const aiMesh& part, float mm_per_unit, bool y_up, double crease_angle_deg, Mesh& mesh) {
-    const auto turn = [y_up](const aiVector3D& v) {
-        return y_up ? Vec3f{v.x, -v.z, v.y} : Vec3f{v.x, v.y, v.z};
-    };
-    std::vector<unsigned> corners;
-    for (unsigned i = 0; i < part.mNumFaces; ++i) {
-        const aiFace& face = part.mFaces[i];
-        if (face.mNumIndices != 3) continue;  // points and lines have no area
-        corners.insert(corners.end(), face.mIndices, face.mIndices + 3);
-    }
-    const std::size_t first = mesh.positions_mm.size();
-    if (first + corners.size() > std::numeric_limits<std::uint32_t>::max()) {
-        throw MeshFault("has more than 2^32 vertices");
-    }
-    // Texture coordinates as the file has them; none for the whole mesh if a part has none.
-    bool laid_out = mesh.uv.size() == first && part.HasTextureCoords(0);
-    for (const unsigned i : corners) {
-        if (!is_finite(part.mVertices[i])) {
-            throw MeshFault(
-                fmt::format("vertex {} of '{}' is not finite", i, excerpt(part.mName.C_Str())));
-        }
-        mesh.positions_mm.push_back(mm_per_unit * turn(part.mVertices[i]));
-        laid_out = laid_out && is_finite(part.mTextureCoords[0][i]);
-        if (laid_out) mesh.uv.push_back({part.mTextureCoords[0][i].x, part.mTextureCoords[0][i].y});
-    }
-    if (!laid_out) mesh.uv.clear();
-
-    const auto normal_of_file = [&](unsigned i) {
-        const aiVector3D n = part.HasNormals() ? part.mNormals[i] : aiVector3D();
-        return is_finite(n) && n.SquareLength() > 0 ? normalize(turn(n)) : Vec3f{0, 0, 0};
-    };
-    std::vector<Vec3f> made;
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-        Vec3f normal = normal_of_file(corners[k]);
-        if (normal == Vec3f{0, 0, 0}) {
-            if (made.empty()) {
-                made = smooth_normals(std::span(mesh.positions_mm).subspan(first), crease_angle_deg);
-            }
-            normal = made[k];
-        }
-        mesh.normals.push_back(normal);
-    }
-    for (std::size_t k = first; k < mesh.positions_mm.size(); k += 3) {
-        const auto i = static_cast<std::uint32_t>(k);
-        mesh.triangles.push_back({i, i + 1, i + 2});
-    }
-}
-
 std::string material_name(const aiScene& scene, const aiMesh& part) {
     if (part.mMaterialIndex >= scene.mNumMaterials) return {};
     return scene.mMaterials[part.mMaterialIndex]->GetName().C_Str();
 }
 
-[[noreturn]] void refuse_part(const std::string& part, const std::set<std::string>& names) {
-    std::vector<std::string> shown;
-    for (const std::string& name : names) shown.push_back(excerpt(name));
-    throw MeshFault(fmt::format("has no material '{}'{}; its materials are '{}'", excerpt(part),
-                                did_you_mean(excerpt(part), shown), fmt::join(shown, "', '")));
+/// Triangles of a part, after those of the mesh.
+void append(const aiMesh& part, const std::string& material, PolygonMesh& mesh) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    if (mesh.positions.size() + part.mNumVertices >= PolygonMesh::kNone) {
+        throw MeshFault("has more than 2^32 vertices");
+    }
+    const auto vec = [](const aiVector3D& v) { return Vec3f{v.x, v.y, v.z}; };
+    const bool normals = part.HasNormals(), uv = part.HasTextureCoords(0);
+    for (unsigned i = 0; i < part.mNumVertices; ++i) {
+        mesh.positions.push_back(vec(part.mVertices[i]));
+        mesh.normals.push_back(normals ? vec(part.mNormals[i]) : Vec3f{0, 0, 0});
+        mesh.uv.push_back(uv ? Vec2f{part.mTextureCoords[0][i].x, part.mTextureCoords[0][i].y}
+                             : Vec2f{0, 0});
+    }
+    const std::uint32_t number = mesh.material_of(material);
+    for (unsigned f = 0; f < part.mNumFaces; ++f) {
+        const aiFace& face = part.mFaces[f];
+        for (unsigned k = 0; k < face.mNumIndices; ++k) {
+            const std::uint32_t i = first + face.mIndices[k];
+            mesh.corners.push_back(
+                {i, uv ? i : PolygonMesh::kNone, normals ? i : PolygonMesh::kNone});
+        }
+        mesh.end_face(number);  // points and lines have no area
+    }
 }
 
-Mesh read_with_assimp(std::string_view bytes, const std::string& extension,
-                      const char* importer_name, const References& references, const MeshFile& file,
-                      std::set<std::string>* parts) {
+/// @param bytes  of gltf_geometry(), which assimp may trust
+PolygonMesh parse_gltf(std::string_view bytes, const std::string& extension,
+                       const References& references) {
+    constexpr const char* kGltfImporter = "glTF2 Importer";
     Assimp::Importer importer;
-    keep_only(importer, importer_name);
+    keep_only(importer, kGltfImporter);
     if (importer.GetImporterCount() != 1) {
-        throw Error(fmt::format("this assimp has no '{}'", importer_name));
+        throw Error(fmt::format("this assimp has no '{}'", kGltfImporter));
     }
     const std::string name = "mesh" + extension;
     importer.SetIOHandler(new MeshFiles(name, bytes, references));  // which deletes it
-    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
-                                aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     const aiScene* scene = importer.ReadFile(name, 0);
     if (scene) {
         require_vertices(*scene);
-        scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_PreTransformVertices |
-                                             aiProcess_SortByPType |
+        scene = importer.ApplyPostProcessing(aiProcess_PreTransformVertices |
                                              aiProcess_ValidateDataStructure);
     }
     if (scene == nullptr || (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE) != 0) {
@@ -218,53 +178,36 @@ Mesh read_with_assimp(std::string_view bytes, const std::string& extension,
             fmt::format("cannot be read: {}", without_quotes(importer.GetErrorString())));
     }
     require_vertices(*scene);
-    Mesh mesh;
-    // glTF's vertical is y and its unit the metre by its specification.        [khronos-gltf-2021]
-    const bool gltf = extension == ".gltf" || extension == ".glb";
-    const double mm_per_unit = file.mm_per_unit > 0 ? file.mm_per_unit : gltf ? 1000 : 1;
-    std::set<std::string> names;
+    PolygonMesh mesh;
     for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
-        const aiMesh& part = *scene->mMeshes[i];
-        const std::string name = material_name(*scene, part);
-        names.insert(name);
-        if (!file.part.empty() && name != file.part) continue;
-        append(part, static_cast<float>(mm_per_unit), file.y_up || gltf, file.crease_angle_deg, mesh);
+        append(*scene->mMeshes[i], material_name(*scene, *scene->mMeshes[i]), mesh);
     }
-    if (!file.part.empty() && !names.contains(file.part)) refuse_part(file.part, names);
-    if (mesh.triangles.empty()) throw MeshFault("has no triangles");
-    join_equal_vertices(mesh);
-    if (parts) *parts = std::move(names);
     return mesh;
 }
-
-constexpr const char* kGltfImporter = "glTF2 Importer";
 
 /// @param beside  the files that a glTF may name
 Mesh parse(std::string_view bytes, const MeshFile& file, const References& beside,
            double max_elements, std::set<std::string>* parts) {
     const std::string extension = lowercase(file.path.extension().string());
+    const auto made = [&](const PolygonMesh& polygons) {
+        // glTF's vertical is y and its unit the metre by its specification.    [khronos-gltf-2021]
+        const bool gltf = extension == ".gltf" || extension == ".glb";
+        const double mm_per_unit = file.mm_per_unit > 0 ? file.mm_per_unit : gltf ? 1000 : 1;
+        return triangles_of(polygons, file, static_cast<float>(mm_per_unit), file.y_up || gltf, parts);
+    };
     if (extension == ".obj") {
         if (bytes.find('\0') != std::string_view::npos) throw MeshFault("is no OBJ: is not text");
-        return read_with_assimp(plain_obj(bytes), extension, "Wavefront Object Importer", {}, file,
-                                parts);
+        return made(parse_obj(bytes));
     }
-    if (extension == ".ply") {
-        check_ply(bytes);
-        return read_with_assimp(bytes, extension, "Stanford Polygon Library (PLY) Importer", {},
-                                file, parts);
-    }
-    if (extension == ".stl") {
-        return read_with_assimp(bytes, extension, "Stereolithography (STL) Importer", {}, file,
-                                parts);
-    }
+    if (extension == ".ply") return made(parse_ply(bytes));
+    if (extension == ".stl") return made(parse_stl(bytes));
     if (extension == ".gltf") {
-        return read_with_assimp(gltf_geometry(bytes, max_elements), extension, kGltfImporter,
-                                beside, file, parts);
+        return made(parse_gltf(gltf_geometry(bytes, max_elements), extension, beside));
     }
     if (extension == ".glb") {
         const Glb glb = open_glb(bytes);
-        return read_with_assimp(glb_bytes(gltf_geometry(glb.json, max_elements), glb.buffer),
-                                extension, kGltfImporter, beside, file, parts);
+        return made(parse_gltf(glb_bytes(gltf_geometry(glb.json, max_elements), glb.buffer), extension,
+                               beside));
     }
     throw MeshFault("is none of .obj, .ply, .stl, .gltf and .glb");
 }

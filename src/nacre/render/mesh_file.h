@@ -7,9 +7,8 @@
 
 #include "nacre/render/mesh.h"
 
-// Meshes from files: OBJ, PLY, STL, glTF 2.0. assimp parses them, after a look at what it would
-// trust: it was not made for files that mean harm. Vertices are joined and normals made by Nacre, in a
-// time that many triangles in one place cannot draw out.
+// Meshes from files: OBJ, PLY, STL, glTF 2.0. assimp parses the last, after a look at what it would
+// trust: it was not made for files that mean harm, and writes beyond its memory for some of the others.
 
 namespace nacre::render {
 

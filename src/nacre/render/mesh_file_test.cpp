@@ -220,6 +220,70 @@ TEST(MeshContents, BinaryPlyIsFollowedFromListToList) {
                 HasSubstr("without properties"));
 }
 
+TEST(MeshContents, PlyMayHaveNormalsTexturesAndStrips) {
+    const std::string head =
+        "ply\r\nformat ascii 1.0\r\ncomment any\r\nelement material 1\nproperty list uchar int a\n"
+        "element vertex 4\nproperty uchar red\nproperty double z\nproperty float x\n"
+        "property float y\nproperty float nz\nproperty float ny\nproperty float nx\n"
+        "property float s\nproperty float t\n";
+    const std::string vertices = "end_header\n2 7 8\n"
+                                 "9 5 0 0 0 2 0 .5 0\n9 5 1 0 0 2 0 .5 .25\n"
+                                 "9 5 0 1 0 2 0 .5 .5\n9 5 1 1 0 2 0 .5 .75\n";
+    const auto read = [](const std::string& text) { return parse_mesh(text, {.path = "m.ply"}); };
+    const Mesh strip = read(head + "element tristrips 1\nproperty list int int vertex_indices\n" +
+                            vertices + "8 0 1 2 3 -1 0 1 3\n");
+    EXPECT_EQ(strip.triangles.size(), 3u);
+    ASSERT_EQ(strip.positions_mm.size(), 4u);
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(strip.positions_mm[i].z, 5);
+        EXPECT_EQ(strip.normals[i], (Vec3f{0, 1, 0}));
+        EXPECT_EQ(strip.uv[i].x, 0.5f);
+    }
+    for (const auto& t : strip.triangles) {  // all turned alike
+        const Vec3f a = strip.positions_mm[t[0]];
+        EXPECT_GT(cross(strip.positions_mm[t[1]] - a, strip.positions_mm[t[2]] - a).z, 0);
+    }
+    const Mesh laid_out = read(head +
+                               "element face 1\nproperty list uchar int vertex_index\n"
+                               "property list uchar float texcoord\nproperty int flags\n" +
+                               vertices + "3 0 1 2 6 .1 .2 .3 .4 .5 .6 0\n");
+    EXPECT_EQ(laid_out.uv[1].y, 0.4f);
+}
+
+TEST(MeshContents, PlyFacesComeAfterTheirVertices) {
+    const std::string head = "ply\nformat ascii 1.0\n", face = "element face 1\n";
+    EXPECT_THAT(fault(".ply", head + face + "property list uchar int vertex_index\nend_header\n3 0 1 2\n"),
+                HasSubstr("names vertex 0 of 0"));
+    EXPECT_THAT(fault(".ply", head + face + "property int a\nend_header\n3\n"),
+                HasSubstr("faces without vertex_indices"));
+    EXPECT_THAT(fault(".ply", head + "element vertex 1\nproperty float x\nend_header\n3\n"),
+                HasSubstr("without x, y and z"));
+    EXPECT_THAT(fault(".ply", head + "element a 1\nproperty list float int b\nend_header\n3\n"),
+                HasSubstr("length is no integer"));
+    EXPECT_THAT(fault(".ply", head + "element a 1\nproperty int b\nend_header\nx\n"),
+                HasSubstr("no number at byte"));
+}
+
+TEST(MeshContents, StlIsTextOrBinary) {
+    const std::string text = "solid solid facet\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n"
+                             "   vertex 2 0 0\n   vertex 0 1 0\n  endloop\n endfacet\nendsolid solid facet\n";
+    const Mesh mesh = parse_mesh(text, {.path = "m.stl"});
+    EXPECT_NEAR(testing::area_mm2(mesh), 1, 1e-6);
+    EXPECT_EQ(mesh.normals[0], (Vec3f{0, 0, 1}));
+    std::string binary = "solid" + std::string(75, ' ') + std::string("\1\0\0\0", 4);
+    const float facet[12] = {0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 1, 0};  // without a normal
+    binary.append(reinterpret_cast<const char*>(facet), sizeof facet);
+    binary.append(2, '\0');
+    EXPECT_EQ(parse_mesh(binary, {.path = "m.stl"}).normals[0], (Vec3f{0, 0, 1}));
+    binary.front() = 'x';
+    EXPECT_THAT(fault(".stl", binary.substr(0, binary.size() - 1)), HasSubstr("cut short: 1 facets"));
+    EXPECT_THAT(fault(".stl", "root"), HasSubstr("is no STL"));
+    EXPECT_THAT(fault(".stl", text.substr(0, text.find("endloop"))), HasSubstr("cut short"));
+    EXPECT_THAT(fault(".stl", "solid\nvertex 0 0 0"), HasSubstr("line 2 has a vertex outside"));
+    EXPECT_THAT(fault(".stl", "solid\nfacet normal 0 0 x"), HasSubstr("line 2 has a number that is none"));
+    EXPECT_THAT(fault(".stl", "solid\nfacets"), HasSubstr("an unknown word"));
+}
+
 TEST(MeshContents, NodesOfAGltfAreTreesOfLimitedDepthAndSize) {
     EXPECT_EQ(fault(".gltf", gltf_with_nodes({{{"mesh", 0}}})), "accepted");
     EXPECT_EQ(fault(".gltf", gltf_with_nodes({{{"children", {1}}}, {{"mesh", 0}}})), "accepted");

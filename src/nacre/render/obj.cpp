@@ -6,43 +6,30 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <initializer_list>
-#include <iterator>
 #include <limits>
-#include <map>
-#include <optional>
-#include <vector>
+#include <string>
+#include <utility>
 
 #include "nacre/core/text.h"
 #include "nacre/render/mesh_fault.h"
-#include "nacre/render/mesh_file.h"
 
 namespace nacre::render {
 namespace {
 
-class PlainObj {
+class ObjReader {
  public:
-    explicit PlainObj(std::string_view text) : rest_(text) {}
+    explicit ObjReader(std::string_view text) : rest_(text) {}
 
-    std::string text() {
+    PolygonMesh read() {
         while (next_line()) read_line();
-        if (faces_.empty()) throw MeshFault("has no faces");
+        if (mesh_.end.empty()) throw MeshFault("has no faces");
         for (int kind = 0; kind < 3; ++kind) {
-            if (highest_[kind].number > counts_[kind]) refuse_number(highest_[kind].line, kind);
+            if (highest_[kind].number > count(kind)) refuse_number(highest_[kind].line, kind);
         }
-        std::string out = std::move(vertices_);
-        // Those without a material come first, before any is named.
-        for (const auto& [material, faces] : faces_) {
-            if (!material.empty()) out += fmt::format("usemtl {}\n", material);
-            out += faces;
-        }
-        return out;
+        return std::move(mesh_);
     }
 
  private:
-    /// A corner of a face: numbers of a position, a texture coordinate and a normal, from 1; 0: none.
-    using Corner = std::array<std::size_t, 3>;
-
     /// A line that ends in a backslash goes on in the next.
     bool next_line() {
         if (rest_.empty()) return false;
@@ -79,8 +66,8 @@ class PlainObj {
         } else if (key == "f") {
             read_face();
         } else if (key == "usemtl") {
-            constexpr std::size_t kLongestName = 1000;
-            material_ = excerpt(trimmed(line_), kLongestName);
+            material_name_ = trimmed(line_);
+            material_ = PolygonMesh::kNone;
         }
     }
 
@@ -96,81 +83,62 @@ class PlainObj {
     /// The numbers of the line, at most seven: what follows them is of no use.
     /// @return how many
     std::size_t take_numbers(std::array<double, 7>& numbers) {
-        std::size_t count = 0;
-        for (std::string_view word = take_word(); !word.empty() && count < numbers.size();
-             word = take_word()) {
+        std::size_t taken = 0;
+        while (taken < numbers.size()) {
+            const std::string_view word = take_word();
+            if (word.empty()) break;
             const auto number = parse_number(word);
             constexpr double kLargest = std::numeric_limits<float>::max();
             if (!number || std::abs(*number) > kLargest) refuse("has what is no finite number");
-            numbers[count++] = *number;
+            numbers[taken++] = *number;
         }
-        return count;
+        return taken;
+    }
+
+    static Vec3f vec(double x, double y, double z) {
+        return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
     }
 
     void read_position() {
         std::array<double, 7> x{};
-        const std::size_t count = take_numbers(x);
-        if (count < 3) refuse("is a vertex of fewer than three coordinates");
-        const double w = count == 4 ? x[3] : 1;  // homogeneous; of six or seven the others are colours
-        if (!(std::abs(x[0] / w) + std::abs(x[1] / w) + std::abs(x[2] / w) <=
-              std::numeric_limits<float>::max())) {
-            refuse("is a vertex at infinity");
-        }
-        write("v", {x[0] / w, x[1] / w, x[2] / w});
-        ++counts_[0];
+        const std::size_t taken = take_numbers(x);
+        if (taken < 3) refuse("is a vertex of fewer than three coordinates");
+        const double w = taken == 4 ? x[3] : 1;  // homogeneous; of six or seven the others are colours
+        const Vec3f position = vec(x[0] / w, x[1] / w, x[2] / w);
+        if (!std::isfinite(dot(position, Vec3f{0, 0, 0}))) refuse("is a vertex at infinity");
+        mesh_.positions.push_back(position);
     }
 
     void read_texture_coordinate() {
         std::array<double, 7> x{};
         if (take_numbers(x) < 1) refuse("is a texture coordinate without numbers");
-        write("vt", {x[0], x[1]});
-        ++counts_[1];
+        mesh_.uv.push_back({static_cast<float>(x[0]), static_cast<float>(x[1])});
     }
 
     void read_normal() {
         std::array<double, 7> x{};
         if (take_numbers(x) < 3) refuse("is a normal of fewer than three numbers");
-        write("vn", {x[0], x[1], x[2]});
-        ++counts_[2];
+        mesh_.normals.push_back(vec(x[0], x[1], x[2]));
     }
 
-    void write(std::string_view key, std::initializer_list<double> numbers) {
-        vertices_ += key;
-        for (const double x : numbers) {
-            fmt::format_to(std::back_inserter(vertices_), " {}", static_cast<float>(x));
-        }
-        vertices_ += '\n';
-    }
-
-    /// Corners say all of a kind of number or none.
     void read_face() {
-        corners_.clear();
+        const std::size_t first = mesh_.corners.size();
         for (std::string_view word = take_word(); !word.empty(); word = take_word()) {
-            corners_.push_back(corner(word));
+            mesh_.corners.push_back(corner(word));
         }
-        if (corners_.empty()) refuse("is a face without vertices");
-        if (corners_.size() < 3) return;  // a point or a line, which have no area
-        std::array<bool, 3> said{true, true, true};
-        for (const Corner& c : corners_) {
-            for (int kind = 0; kind < 3; ++kind) said[kind] = said[kind] && c[kind] != 0;
-        }
-        std::string& out = faces_[material_];
-        if (faces_.size() > kMaxMeshMaterials) {
-            throw MeshFault(fmt::format("has more than {} materials", kMaxMeshMaterials));
-        }
-        out += 'f';
-        for (const Corner& c : corners_) {
-            out += fmt::format(" {}", c[0]);
-            if (said[1] || said[2]) out += '/';
-            if (said[1]) out += fmt::format("{}", c[1]);
-            if (said[2]) out += fmt::format("/{}", c[2]);
-        }
-        out += '\n';
+        if (mesh_.corners.size() == first) refuse("is a face without vertices");
+        mesh_.end_face(material());
+    }
+
+    /// Of the faces that follow, which need not be any.
+    std::uint32_t material() {
+        if (material_ == PolygonMesh::kNone) material_ = mesh_.material_of(material_name_);
+        return material_;
     }
 
     /// 3, 3/1, 3//2 or 3/1/2; numbers below 0 count back from the last that was read.
-    Corner corner(std::string_view word) {
-        Corner out{};
+    PolygonMesh::Corner corner(std::string_view word) {
+        std::array<std::uint32_t, 3> out{PolygonMesh::kNone, PolygonMesh::kNone, PolygonMesh::kNone};
         for (int kind = 0; kind < 3 && !word.empty(); ++kind) {
             const std::string_view digits = word.substr(0, word.find('/'));
             word.remove_prefix(std::min(word.size(), digits.size() + 1));
@@ -179,43 +147,48 @@ class PlainObj {
             if (!number || *number != std::floor(*number)) {
                 refuse("is a face of what are no whole numbers");
             }
-            const double at =
-                *number < 0 ? static_cast<double>(counts_[kind]) + 1 + *number : *number;
-            if (at < 1 || at > kLargestNumber) refuse_number(first_of_line_, kind);
-            out[kind] = static_cast<std::size_t>(at);
-            if (out[kind] > highest_[kind].number) highest_[kind] = {out[kind], first_of_line_};
+            const double at = *number < 0 ? static_cast<double>(count(kind)) + 1 + *number : *number;
+            if (at < 1 || at >= PolygonMesh::kNone) refuse_number(first_of_line_, kind);
+            const auto whole = static_cast<std::uint32_t>(at);
+            if (whole > highest_[kind].number) highest_[kind] = {whole, first_of_line_};
+            out[kind] = whole - 1;
         }
-        if (!word.empty() || out[0] == 0) refuse("is a face of corners with more than three numbers");
-        return out;
+        if (!word.empty()) refuse("is a face of corners with more than three numbers");
+        return {out[0], out[1], out[2]};
+    }
+
+    /// Of positions, texture coordinates and normals so far.
+    std::size_t count(int kind) const {
+        return kind == 0   ? mesh_.positions.size()
+               : kind == 1 ? mesh_.uv.size()
+                           : mesh_.normals.size();
     }
 
     [[noreturn]] void refuse_number(std::size_t line, int kind) const {
         constexpr std::array kNames{"vertex", "texture coordinate", "normal"};
         throw MeshFault(fmt::format("line {} is a face that names a {} that is not there: {} are",
-                                    line, kNames[kind], counts_[kind]));
+                                    line, kNames[kind], count(kind)));
     }
     [[noreturn]] void refuse(std::string_view why) const {
         throw MeshFault(fmt::format("line {} {}", first_of_line_, why));
     }
 
-    static constexpr double kLargestNumber = std::numeric_limits<std::uint32_t>::max();
     /// Of the numbers that faces have; what they name may follow them.
     struct Highest {
         std::size_t number = 0, line = 0;
     };
 
+    PolygonMesh mesh_;
     std::string_view rest_, line_;
     std::string joined_;  // a line that goes on
     std::size_t line_number_ = 0, first_of_line_ = 0;
-    std::array<std::size_t, 3> counts_{};  // of positions, texture coordinates and normals so far
     std::array<Highest, 3> highest_;
-    std::vector<Corner> corners_;  // of a face
-    std::string material_, vertices_;
-    std::map<std::string, std::string> faces_;  // by material
+    std::string material_name_ = kUnnamedMaterial;
+    std::uint32_t material_ = PolygonMesh::kNone;  // its number, when it has one
 };
 
 }  // namespace
 
-std::string plain_obj(std::string_view text) { return PlainObj(text).text(); }
+PolygonMesh parse_obj(std::string_view text) { return ObjReader(text).read(); }
 
 }  // namespace nacre::render

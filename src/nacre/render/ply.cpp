@@ -3,10 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "nacre/core/text.h"
@@ -15,34 +20,55 @@
 namespace nacre::render {
 namespace {
 
-class PlyCheck {
+class PlyReader {
  public:
-    explicit PlyCheck(std::string_view bytes) : bytes_(bytes) {}
+    explicit PlyReader(std::string_view bytes) : bytes_(bytes) {}
 
-    void run() {
+    PolygonMesh read() {
         read_header();
-        binary_ ? check_binary() : check_text();
+        check_size();
+        for (const Element& element : elements_) {
+            if (element.name == "vertex" && mesh_.positions.empty()) {
+                read_vertices(element);
+            } else if (element.name == "face" || element.name == "tristrips") {
+                read_faces(element);
+            } else {
+                for (double i = 0; i < element.count; ++i) pass_over(element);
+            }
+        }
+        if (mesh_.end.empty()) throw MeshFault("has no faces");
+        return std::move(mesh_);
     }
 
  private:
+    enum class Kind { integer, natural, real };
+    struct Scalar {
+        Kind kind = Kind::integer;
+        std::size_t size = 0;  ///< bytes, in a binary file
+    };
     struct Property {
+        std::string_view name;
         bool list = false;
-        int length_size = 0;  ///< bytes of a list's length
-        int size = 0;         ///< bytes of a value
+        Scalar length;  ///< of a list
+        Scalar value;
     };
     struct Element {
+        std::string_view name;
         double count = 0;  // a double: counts may overflow integers
         std::vector<Property> properties;
     };
 
-    /// Bytes of a scalar in a binary file.
-    static int scalar_size(std::string_view type, int line) {
-        static const std::map<std::string_view, int> kSizes{
-            {"char", 1},  {"uchar", 1},   {"int8", 1},   {"uint8", 1},  {"short", 2}, {"ushort", 2},
-            {"int16", 2}, {"uint16", 2},  {"int", 4},    {"uint", 4},   {"int32", 4}, {"uint32", 4},
-            {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
-        const auto found = kSizes.find(type);
-        if (found == kSizes.end()) {
+    static Scalar scalar(std::string_view type, int line) {
+        constexpr auto integer = Kind::integer, natural = Kind::natural, real = Kind::real;
+        static const std::map<std::string_view, Scalar> kScalars{
+            {"char", {integer, 1}},  {"uchar", {natural, 1}}, {"int8", {integer, 1}},
+            {"uint8", {natural, 1}}, {"short", {integer, 2}}, {"ushort", {natural, 2}},
+            {"int16", {integer, 2}}, {"uint16", {natural, 2}}, {"int", {integer, 4}},
+            {"uint", {natural, 4}},  {"int32", {integer, 4}}, {"uint32", {natural, 4}},
+            {"float", {real, 4}},    {"float32", {real, 4}},  {"double", {real, 8}},
+            {"float64", {real, 8}}};
+        const auto found = kScalars.find(type);
+        if (found == kScalars.end()) {
             throw MeshFault(fmt::format("line {}: unknown type '{}'", line, excerpt(type)));
         }
         return found->second;
@@ -70,7 +96,7 @@ class PlyCheck {
                     throw MeshFault(fmt::format("line {}: '{}' is not 'element NAME COUNT'", line,
                                                 excerpt(text)));
                 }
-                elements_.push_back({*count, {}});
+                elements_.push_back({word[1], *count, {}});
             }
             if (word[0] == "property" && !elements_.empty()) {
                 elements_.back().properties.push_back(property_of(word, line));
@@ -80,11 +106,11 @@ class PlyCheck {
     }
 
     static Property property_of(const std::vector<std::string_view>& word, int line) {
-        const auto type = [&](std::size_t i) {
-            return scalar_size(i < word.size() ? word[i] : std::string_view(), line);
-        };
-        if (word.size() > 1 && word[1] == "list") return {true, type(2), type(3)};
-        return {false, 0, type(1)};
+        const auto at = [&](std::size_t i) { return i < word.size() ? word[i] : std::string_view(); };
+        if (at(1) != "list") return {at(2), false, {}, scalar(at(1), line)};
+        const Scalar length = scalar(at(2), line);
+        if (length.kind == Kind::real) throw MeshFault("has a list whose length is no integer");
+        return {at(4), true, length, scalar(at(3), line)};
     }
 
     [[noreturn]] static void refuse_short(double wanted, std::size_t there) {
@@ -94,65 +120,198 @@ class PlyCheck {
                         wanted, there));
     }
 
-    /// The least bytes of all elements, a value taking `text_size` where the file is text.
-    double least_bytes(int text_size) const {
+    /// A file must be as long as its counts ask for at least, before anything is made of their size.
+    void check_size() const {
         double least = 0;
         for (const Element& element : elements_) {
             double one = 0;
             for (const Property& p : element.properties) {
-                one += binary_ ? (p.list ? p.length_size : p.size) : text_size;
+                const std::size_t size = p.list ? p.length.size : p.value.size;
+                one += binary_ ? static_cast<double>(size) : 2;  // of text, a digit and a space
             }
             if (one == 0 && element.count > 0) throw MeshFault("has an element without properties");
             least += element.count * one;
         }
-        return least;
+        // The last of a text may do without its space.
+        const std::size_t there = bytes_.size() - position_;
+        if (least > static_cast<double>(there) + (binary_ ? 0 : 1)) refuse_short(least, there);
     }
 
-    void check_text() const {
-        // One digit and one space a value; the last may do without its space.
-        const double least = least_bytes(2);
-        const std::size_t there = bytes_.size() - position_;
-        if (least > static_cast<double>(there) + 1) refuse_short(least, there);
+    double take(Scalar scalar) { return binary_ ? take_binary(scalar) : take_text(); }
+
+    double take_text() {
+        constexpr std::string_view kSpace = " \t\r\n\f\v";
+        position_ = std::min(bytes_.find_first_not_of(kSpace, position_), bytes_.size());
+        const std::size_t end = std::min(bytes_.find_first_of(kSpace, position_), bytes_.size());
+        const std::string_view word = bytes_.substr(position_, end - position_);
+        if (word.empty()) throw MeshFault("is cut short");
+        const auto number = parse_number(word);
+        if (!number) throw MeshFault(fmt::format("has what is no number at byte {}", position_));
+        position_ = end;
+        return *number;
     }
 
-    /// Goes from list to list.
-    void check_binary() {
-        const std::size_t there = bytes_.size() - position_;
-        const double least = least_bytes(0);
-        if (least > static_cast<double>(there)) refuse_short(least, there);
-        for (const Element& element : elements_) {
-            for (double i = 0; i < element.count; ++i) {
-                for (const Property& p : element.properties) {
-                    const std::size_t size =
-                        p.list ? list_bytes(p) : static_cast<std::size_t>(p.size);
-                    if (size > bytes_.size() - position_) throw MeshFault("is cut short");
-                    position_ += size;
+    double take_binary(Scalar scalar) {
+        if (scalar.size > bytes_.size() - position_) throw MeshFault("is cut short");
+        std::uint64_t bits = 0;
+        for (std::size_t i = 0; i < scalar.size; ++i) {
+            const std::size_t at = big_endian_ ? i : scalar.size - 1 - i;
+            bits = bits << 8 | static_cast<unsigned char>(bytes_[position_ + at]);
+        }
+        position_ += scalar.size;
+        if (scalar.kind == Kind::natural) return static_cast<double>(bits);
+        if (scalar.kind == Kind::real) {
+            return scalar.size == 8 ? std::bit_cast<double>(bits)
+                                    : std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+        }
+        const std::size_t unused = 64 - 8 * scalar.size;
+        return static_cast<double>(static_cast<std::int64_t>(bits << unused) >> unused);
+    }
+
+    std::size_t take_length(const Property& list) {
+        const double length = take(list.length);
+        if (!(length >= 0) || length != std::floor(length)) {
+            throw MeshFault("has a list whose length is no count");
+        }
+        const std::size_t size = binary_ ? list.value.size : 2;
+        if (length * static_cast<double>(size) > static_cast<double>(bytes_.size() - position_) + 1) {
+            throw MeshFault("is cut short");
+        }
+        return static_cast<std::size_t>(length);
+    }
+
+    void take_list(const Property& list, std::vector<double>& values) {
+        values.resize(take_length(list));
+        for (double& value : values) value = take(list.value);
+    }
+
+    void pass_over(const Element& element) {
+        for (const Property& p : element.properties) {
+            p.list ? take_list(p, passed_over_) : static_cast<void>(take(p.value));
+        }
+    }
+
+    void read_vertices(const Element& element) {
+        std::vector<int> place;  // of each property among those below; -1: none
+        constexpr int kPlaces = 8;
+        for (const Property& p : element.properties) {
+            static const std::map<std::string_view, int> kNames{
+                {"x", 0},  {"y", 1}, {"z", 2}, {"nx", 3},        {"ny", 4},       {"nz", 5}, {"s", 6},
+                {"t", 7},  {"u", 6}, {"v", 7}, {"texture_u", 6}, {"texture_v", 7}};
+            const auto found = kNames.find(p.name);
+            place.push_back(p.list || found == kNames.end() ? -1 : found->second);
+        }
+        const auto has = [&](int first, int last) {
+            for (int i = first; i <= last; ++i) {
+                if (std::find(place.begin(), place.end(), i) == place.end()) return false;
+            }
+            return true;
+        };
+        if (!has(0, 2)) throw MeshFault("has vertices without x, y and z");
+        has_normals_ = has(3, 5);
+        has_uv_ = has(6, 7);
+        for (double i = 0; i < element.count; ++i) {
+            std::array<float, kPlaces> values{};
+            for (std::size_t k = 0; k < place.size(); ++k) {
+                const Property& p = element.properties[k];
+                if (p.list) {
+                    take_list(p, passed_over_);
+                    continue;
+                }
+                const double value = take(p.value);
+                if (place[k] >= 0) values[static_cast<std::size_t>(place[k])] = to_float(value);
+            }
+            mesh_.positions.push_back({values[0], values[1], values[2]});
+            if (has_normals_) mesh_.normals.push_back({values[3], values[4], values[5]});
+            if (has_uv_) mesh_.uv.push_back({values[6], values[7]});
+        }
+    }
+
+    /// Infinite where a float cannot hold it, which is found later.
+    static float to_float(double x) {
+        const double largest = std::numeric_limits<float>::max();
+        if (x > largest) return std::numeric_limits<float>::infinity();
+        if (x < -largest) return -std::numeric_limits<float>::infinity();
+        return static_cast<float>(x);
+    }
+
+    void read_faces(const Element& element) {
+        const bool strips = element.name == "tristrips";
+        const std::uint32_t material = mesh_.material_of(kUnnamedMaterial);
+        std::vector<double> numbers, uv;
+        for (double i = 0; i < element.count; ++i) {
+            numbers.clear();
+            uv.clear();
+            bool has_numbers = false;
+            for (const Property& p : element.properties) {
+                if (!p.list) {
+                    take(p.value);
+                } else if (p.name == "vertex_indices" || p.name == "vertex_index") {
+                    take_list(p, numbers);
+                    has_numbers = true;
+                } else {
+                    take_list(p, p.name == "texcoord" ? uv : passed_over_);
                 }
             }
+            if (!has_numbers) throw MeshFault("has faces without vertex_indices");
+            strips ? add_strips(numbers, material) : add_face(numbers, uv, material);
         }
     }
 
-    /// Of the list that starts here.
-    std::size_t list_bytes(const Property& list) const {
-        const auto length_size = static_cast<std::size_t>(list.length_size);
-        if (length_size > bytes_.size() - position_) throw MeshFault("is cut short");
-        if (length_size > 4) throw MeshFault("has a list whose length is no integer");
-        std::size_t length = 0;
-        for (std::size_t i = 0; i < length_size; ++i) {
-            const std::size_t at = big_endian_ ? i : length_size - 1 - i;
-            length = length << 8 | static_cast<unsigned char>(bytes_[position_ + at]);
+    void add_face(const std::vector<double>& numbers, const std::vector<double>& uv,
+                  std::uint32_t material) {
+        const std::size_t face = mesh_.end.size();
+        if (numbers.empty()) throw MeshFault(fmt::format("face {} has no vertices", face));
+        const bool laid_out = uv.size() == 2 * numbers.size();
+        for (std::size_t k = 0; k < numbers.size(); ++k) {
+            PolygonMesh::Corner corner = corner_of(numbers[k]);
+            if (laid_out) {
+                corner.uv = static_cast<std::uint32_t>(mesh_.uv.size());
+                mesh_.uv.push_back({to_float(uv[2 * k]), to_float(uv[2 * k + 1])});
+            }
+            mesh_.corners.push_back(corner);
         }
-        return length_size + length * static_cast<std::size_t>(list.size);
+        mesh_.end_face(material);
+    }
+
+    PolygonMesh::Corner corner_of(double number) const {
+        if (!(number >= 0 && number < static_cast<double>(mesh_.positions.size())) ||
+            number != std::floor(number)) {
+            throw MeshFault(fmt::format("face {} names vertex {} of {}", mesh_.end.size(), number,
+                                        mesh_.positions.size()));
+        }
+        const auto i = static_cast<std::uint32_t>(number);
+        return {i, has_uv_ ? i : PolygonMesh::kNone, has_normals_ ? i : PolygonMesh::kNone};
+    }
+
+    /// Every vertex makes a triangle with the two before it, turned the other way every other time; -1
+    /// begins anew.
+    void add_strips(const std::vector<double>& numbers, std::uint32_t material) {
+        std::size_t first = 0;
+        for (std::size_t k = 0; k < numbers.size(); ++k) {
+            if (numbers[k] == -1) {
+                first = k + 1;
+            } else if (k >= first + 2) {
+                const bool turned = (k - first) % 2 != 0;
+                for (const std::size_t i : {turned ? k - 1 : k - 2, turned ? k - 2 : k - 1, k}) {
+                    mesh_.corners.push_back(corner_of(numbers[i]));
+                }
+                mesh_.end_face(material);
+            }
+        }
     }
 
     std::string_view bytes_;
     std::size_t position_ = 0;
     bool binary_ = false, big_endian_ = false;
     std::vector<Element> elements_;
+    std::vector<double> passed_over_;
+    bool has_normals_ = false, has_uv_ = false;  // vertices
+    PolygonMesh mesh_;
 };
 
 }  // namespace
 
-void check_ply(std::string_view bytes) { PlyCheck(bytes).run(); }
+PolygonMesh parse_ply(std::string_view bytes) { return PlyReader(bytes).read(); }
 
 }  // namespace nacre::render

@@ -2,11 +2,14 @@
 
 #include <string_view>
 
+#include "nacre/render/polygon_mesh.h"
+
 namespace nacre::render {
 
-/// Checks a PLY file's header, and its size given that header: assimp trusts the counts, and may
-/// read on without end where a file is cut short.                                  [turk-1994]
+/// Vertices and faces of a PLY [turk-1994], text or binary of either order: positions, normals (nx, ny, nz),
+/// texture coordinates of vertices (s, t; u, v; texture_u, texture_v) or corners (texcoord), faces and strips
+/// of triangles. All else is passed over.
 /// @throws MeshFault
-void check_ply(std::string_view bytes);
+PolygonMesh parse_ply(std::string_view bytes);
 
 }  // namespace nacre::render

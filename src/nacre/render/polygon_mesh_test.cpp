@@ -1,10 +1,12 @@
-#include "nacre/render/smooth_normals.h"
+#include "nacre/render/polygon_mesh.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <vector>
+
+#include "nacre/core/error.h"
 
 namespace nacre::render {
 namespace {
@@ -84,6 +86,62 @@ TEST(SmoothNormals, OfNoAreaAreThoseOfWhatTheyMeet) {
         smooth_normals(std::vector<Vec3f>{a, c, b, a, b, b, far, far, far}, 40);
     EXPECT_EQ(normals[3], (Vec3f{0, 0, -1}));
     EXPECT_EQ(normals[6], (Vec3f{0, 0, 1}));
+}
+
+// ------------------------------------------------------------------------------------ polygons
+
+/// Area by the triangles that a polygon is cut into; each must be turned as the polygon is.
+double area_of(const std::vector<Vec3f>& polygon) {
+    double steps = 1e9, area = 0;
+    const auto triangles = cut_into_triangles(polygon, steps);
+    EXPECT_EQ(triangles.size(), polygon.size() - 2);
+    Vec3d normal{0, 0, 0};
+    for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+        normal += to_double(cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]));
+    }
+    for (const auto& [a, b, c] : triangles) {
+        const Vec3d twice = to_double(cross(polygon[b] - polygon[a], polygon[c] - polygon[a]));
+        EXPECT_GE(dot(twice, normal), 0);
+        area += 0.5 * length(twice);
+    }
+    return area;
+}
+
+/// A star of 2n corners on circles of radius 1 and 0.2, in a plane across `normal`.
+std::vector<Vec3f> star(int n, Vec3f normal, bool turned) {
+    const Vec3f u = normalize(cross(normal, Vec3f{0.3f, 0.5f, 0.1f})), v = cross(normal, u);
+    std::vector<Vec3f> corners;
+    for (int i = 0; i < 2 * n; ++i) {
+        const double angle = (turned ? -1 : 1) * std::numbers::pi * i / n;
+        const double radius = i % 2 == 0 ? 1 : 0.2;
+        corners.push_back(static_cast<float>(radius * std::cos(angle)) * u +
+                          static_cast<float>(radius * std::sin(angle)) * v);
+    }
+    return corners;
+}
+
+TEST(Polygons, AreCutIntoTrianglesThatCoverThem) {
+    for (const Vec3f normal : {Vec3f{0, 0, 1}, Vec3f{0, -1, 0}, normalize(Vec3f{1, 2, -3})}) {
+        for (const int n : {2, 3, 5, 17, 400}) {
+            const double expected = n * 0.2 * std::sin(std::numbers::pi / n);
+            EXPECT_NEAR(area_of(star(n, normal, false)), expected, 1e-5) << n;
+            EXPECT_NEAR(area_of(star(n, normal, true)), expected, 1e-5) << n;
+        }
+    }
+    // An L, begun at its inner corner; corners in the middle of sides.
+    EXPECT_NEAR(area_of({{1, 1, 0}, {1, 2, 0}, {0, 2, 0}, {0, 0, 0}, {2, 0, 0}, {2, 1, 0}}), 3, 1e-6);
+    EXPECT_NEAR(area_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 2, 0}, {0, 2, 0}}), 4, 1e-6);
+}
+
+// What has no ears, as it has no area or crosses itself, is cut as well.
+TEST(Polygons, WithoutEarsAreCutInTheirOrder) {
+    double steps = 1e9;
+    EXPECT_EQ(cut_into_triangles(std::vector<Vec3f>(7, Vec3f{1, 2, 3}), steps).size(), 5u);
+    EXPECT_EQ(cut_into_triangles(std::vector<Vec3f>{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}, steps)
+                  .size(),
+              2u);
+    steps = 10;
+    EXPECT_THROW(cut_into_triangles(star(50, {0, 0, 1}, false), steps), Error);
 }
 
 TEST(EqualVertices, AreJoined) {
