@@ -193,7 +193,8 @@ Mesh parse(std::string_view bytes, const MeshFile& file, const References& besid
         // glTF's vertical is y and its unit the metre by its specification.    [khronos-gltf-2021]
         const bool gltf = extension == ".gltf" || extension == ".glb";
         const double mm_per_unit = file.mm_per_unit > 0 ? file.mm_per_unit : gltf ? 1000 : 1;
-        return triangles_of(polygons, file, static_cast<float>(mm_per_unit), file.y_up || gltf, parts);
+        return triangles_of(polygons, file, static_cast<float>(mm_per_unit), file.y_up || gltf,
+                            parts);
     };
     if (extension == ".obj") {
         if (bytes.find('\0') != std::string_view::npos) throw MeshFault("is no OBJ: is not text");
@@ -206,8 +207,8 @@ Mesh parse(std::string_view bytes, const MeshFile& file, const References& besid
     }
     if (extension == ".glb") {
         const Glb glb = open_glb(bytes);
-        return made(parse_gltf(glb_bytes(gltf_geometry(glb.json, max_elements), glb.buffer), extension,
-                               beside));
+        return made(parse_gltf(glb_bytes(gltf_geometry(glb.json, max_elements), glb.buffer),
+                               extension, beside));
     }
     throw MeshFault("is none of .obj, .ply, .stl, .gltf and .glb");
 }

@@ -17,8 +17,9 @@ inline constexpr std::size_t kMaxMeshBytes = std::size_t{1} << 30;  ///< with al
 inline constexpr std::size_t kMaxMeshNodes = 100'000;               ///< of a glTF
 inline constexpr int kMaxMeshNodeDepth = 256;
 inline constexpr std::size_t kMaxMeshMaterials = 10'000;
-inline constexpr unsigned kMaxFaceCorners = 2000;  ///< the time of cutting a face into triangles goes with
-                                                   ///< their square
+inline constexpr unsigned kMaxFaceCorners =
+    2000;  ///< the time of cutting a face into triangles goes with
+           ///< their square
 /// Vertices and indices of a glTF, those of a mesh counted once for each node that shows it.
 inline constexpr double kMaxMeshElements = 1 << 26;
 

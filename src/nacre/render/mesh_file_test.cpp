@@ -129,17 +129,21 @@ std::string gltf_with_nodes(const json& nodes, const json& roots = {0}) {
 const std::string kCorners = "v 0 0 0\nv 2 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n";
 
 TEST(MeshContents, ObjFacesNameWhatIsThere) {
-    const auto of_line = [](const std::string& line) { return fault(".obj", kCorners + line + "\n"); };
-    for (const char* face : {"f 1 2 3", "f -3 -2 -1", "f 1/1 2/1 3/1", "f 1//1 2//1 3//-1",
-                             "f 1/1/1 2/1/1 3/1/1 # of one kind", "f 1/1/1 2 3/1", "f 1/ 2/ 3/",
-                             "f 1 2 4\nv 5 5 5", "f 1 2 \\\n  3", "f 1 2 3\nf 1 2\nl 1 2\np 9\nvp x"}) {
+    const auto of_line = [](const std::string& line) {
+        return fault(".obj", kCorners + line + "\n");
+    };
+    for (const char* face :
+         {"f 1 2 3", "f -3 -2 -1", "f 1/1 2/1 3/1", "f 1//1 2//1 3//-1",
+          "f 1/1/1 2/1/1 3/1/1 # of one kind", "f 1/1/1 2 3/1", "f 1/ 2/ 3/", "f 1 2 4\nv 5 5 5",
+          "f 1 2 \\\n  3", "f 1 2 3\nf 1 2\nl 1 2\np 9\nvp x"}) {
         EXPECT_EQ(of_line(face), "accepted") << face;
     }
     EXPECT_THAT(of_line("f 1 2 4"), HasSubstr("line 6 is a face that names a vertex that is not "
                                               "there: 3 are"));
     EXPECT_THAT(of_line("f 1 2 0"), HasSubstr("a vertex that is not there"));
     EXPECT_THAT(of_line("f 1 2 -4"), HasSubstr("a vertex that is not there"));
-    EXPECT_THAT(of_line("f 1/2 2/2 3/2"), HasSubstr("a texture coordinate that is not there: 1 are"));
+    EXPECT_THAT(of_line("f 1/2 2/2 3/2"),
+                HasSubstr("a texture coordinate that is not there: 1 are"));
     EXPECT_THAT(of_line("f 1//2 2//2 3//2"), HasSubstr("a normal that is not there"));
     EXPECT_THAT(of_line("f 1 2 99999999999999999999"), HasSubstr("a vertex that is not there"));
     for (const char* face : {"f 1 2 1.5", "f 1 2 x", "f 1 2 /1", "f 1 2 nan"}) {
@@ -154,9 +158,10 @@ TEST(MeshContents, ObjFacesNameWhatIsThere) {
 }
 
 TEST(MeshContents, ObjVerticesMayBeHomogeneousOrColoured) {
-    const Mesh mesh = parse_mesh("v 0 0 0 .5 .5 .5\nv 4 0 0 2\nv 0 1 0\nvt .5\nvt .25 .75 0\n"
-                                 "f 1/1 2/2 3/1\n",
-                                 {.path = "m.obj"});
+    const Mesh mesh = parse_mesh(
+        "v 0 0 0 .5 .5 .5\nv 4 0 0 2\nv 0 1 0\nvt .5\nvt .25 .75 0\n"
+        "f 1/1 2/2 3/1\n",
+        {.path = "m.obj"});
     EXPECT_NEAR(testing::area_mm2(mesh), 1, 1e-6);
     ASSERT_EQ(mesh.uv.size(), 3u);
     EXPECT_EQ(mesh.uv[1].y, 0.75f);
@@ -164,9 +169,10 @@ TEST(MeshContents, ObjVerticesMayBeHomogeneousOrColoured) {
 
 // Corners without a normal among those with one: made, not taken for straight up.
 TEST(MeshContents, NormalsThatSomeCornersLackAreMade) {
-    const Mesh mesh = parse_mesh("v 0 0 0\nv 0 1 0\nv 0 0 1\nv 0 1 1\nvn .6 .8 0\n"
-                                 "f 1//1 2//1 3//1\nf 2 4 3\n",
-                                 {.path = "m.obj"});
+    const Mesh mesh = parse_mesh(
+        "v 0 0 0\nv 0 1 0\nv 0 0 1\nv 0 1 1\nvn .6 .8 0\n"
+        "f 1//1 2//1 3//1\nf 2 4 3\n",
+        {.path = "m.obj"});
     ASSERT_EQ(mesh.triangles.size(), 2u);
     EXPECT_NEAR(mesh.normals[mesh.triangles[0][0]].y, 0.8, 1e-6);
     EXPECT_NEAR(mesh.normals[mesh.triangles[1][1]].x, 1, 1e-6);
@@ -226,9 +232,10 @@ TEST(MeshContents, PlyMayHaveNormalsTexturesAndStrips) {
         "element vertex 4\nproperty uchar red\nproperty double z\nproperty float x\n"
         "property float y\nproperty float nz\nproperty float ny\nproperty float nx\n"
         "property float s\nproperty float t\n";
-    const std::string vertices = "end_header\n2 7 8\n"
-                                 "9 5 0 0 0 2 0 .5 0\n9 5 1 0 0 2 0 .5 .25\n"
-                                 "9 5 0 1 0 2 0 .5 .5\n9 5 1 1 0 2 0 .5 .75\n";
+    const std::string vertices =
+        "end_header\n2 7 8\n"
+        "9 5 0 0 0 2 0 .5 0\n9 5 1 0 0 2 0 .5 .25\n"
+        "9 5 0 1 0 2 0 .5 .5\n9 5 1 1 0 2 0 .5 .75\n";
     const auto read = [](const std::string& text) { return parse_mesh(text, {.path = "m.ply"}); };
     const Mesh strip = read(head + "element tristrips 1\nproperty list int int vertex_indices\n" +
                             vertices + "8 0 1 2 3 -1 0 1 3\n");
@@ -252,8 +259,9 @@ TEST(MeshContents, PlyMayHaveNormalsTexturesAndStrips) {
 
 TEST(MeshContents, PlyFacesComeAfterTheirVertices) {
     const std::string head = "ply\nformat ascii 1.0\n", face = "element face 1\n";
-    EXPECT_THAT(fault(".ply", head + face + "property list uchar int vertex_index\nend_header\n3 0 1 2\n"),
-                HasSubstr("names vertex 0 of 0"));
+    EXPECT_THAT(
+        fault(".ply", head + face + "property list uchar int vertex_index\nend_header\n3 0 1 2\n"),
+        HasSubstr("names vertex 0 of 0"));
     EXPECT_THAT(fault(".ply", head + face + "property int a\nend_header\n3\n"),
                 HasSubstr("faces without vertex_indices"));
     EXPECT_THAT(fault(".ply", head + "element vertex 1\nproperty float x\nend_header\n3\n"),
@@ -265,8 +273,9 @@ TEST(MeshContents, PlyFacesComeAfterTheirVertices) {
 }
 
 TEST(MeshContents, StlIsTextOrBinary) {
-    const std::string text = "solid solid facet\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n"
-                             "   vertex 2 0 0\n   vertex 0 1 0\n  endloop\n endfacet\nendsolid solid facet\n";
+    const std::string text =
+        "solid solid facet\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n"
+        "   vertex 2 0 0\n   vertex 0 1 0\n  endloop\n endfacet\nendsolid solid facet\n";
     const Mesh mesh = parse_mesh(text, {.path = "m.stl"});
     EXPECT_NEAR(testing::area_mm2(mesh), 1, 1e-6);
     EXPECT_EQ(mesh.normals[0], (Vec3f{0, 0, 1}));
@@ -276,11 +285,13 @@ TEST(MeshContents, StlIsTextOrBinary) {
     binary.append(2, '\0');
     EXPECT_EQ(parse_mesh(binary, {.path = "m.stl"}).normals[0], (Vec3f{0, 0, 1}));
     binary.front() = 'x';
-    EXPECT_THAT(fault(".stl", binary.substr(0, binary.size() - 1)), HasSubstr("cut short: 1 facets"));
+    EXPECT_THAT(fault(".stl", binary.substr(0, binary.size() - 1)),
+                HasSubstr("cut short: 1 facets"));
     EXPECT_THAT(fault(".stl", "root"), HasSubstr("is no STL"));
     EXPECT_THAT(fault(".stl", text.substr(0, text.find("endloop"))), HasSubstr("cut short"));
     EXPECT_THAT(fault(".stl", "solid\nvertex 0 0 0"), HasSubstr("line 2 has a vertex outside"));
-    EXPECT_THAT(fault(".stl", "solid\nfacet normal 0 0 x"), HasSubstr("line 2 has a number that is none"));
+    EXPECT_THAT(fault(".stl", "solid\nfacet normal 0 0 x"),
+                HasSubstr("line 2 has a number that is none"));
     EXPECT_THAT(fault(".stl", "solid\nfacets"), HasSubstr("an unknown word"));
 }
 

@@ -103,7 +103,8 @@ class ObjReader {
         std::array<double, 7> x{};
         const std::size_t taken = take_numbers(x);
         if (taken < 3) refuse("is a vertex of fewer than three coordinates");
-        const double w = taken == 4 ? x[3] : 1;  // homogeneous; of six or seven the others are colours
+        const double w =
+            taken == 4 ? x[3] : 1;  // homogeneous; of six or seven the others are colours
         const Vec3f position = vec(x[0] / w, x[1] / w, x[2] / w);
         if (!std::isfinite(dot(position, Vec3f{0, 0, 0}))) refuse("is a vertex at infinity");
         mesh_.positions.push_back(position);
@@ -138,7 +139,8 @@ class ObjReader {
 
     /// 3, 3/1, 3//2 or 3/1/2; numbers below 0 count back from the last that was read.
     PolygonMesh::Corner corner(std::string_view word) {
-        std::array<std::uint32_t, 3> out{PolygonMesh::kNone, PolygonMesh::kNone, PolygonMesh::kNone};
+        std::array<std::uint32_t, 3> out{PolygonMesh::kNone, PolygonMesh::kNone,
+                                         PolygonMesh::kNone};
         for (int kind = 0; kind < 3 && !word.empty(); ++kind) {
             const std::string_view digits = word.substr(0, word.find('/'));
             word.remove_prefix(std::min(word.size(), digits.size() + 1));
@@ -147,7 +149,8 @@ class ObjReader {
             if (!number || *number != std::floor(*number)) {
                 refuse("is a face of what are no whole numbers");
             }
-            const double at = *number < 0 ? static_cast<double>(count(kind)) + 1 + *number : *number;
+            const double at =
+                *number < 0 ? static_cast<double>(count(kind)) + 1 + *number : *number;
             if (at < 1 || at >= PolygonMesh::kNone) refuse_number(first_of_line_, kind);
             const auto whole = static_cast<std::uint32_t>(at);
             if (whole > highest_[kind].number) highest_[kind] = {whole, first_of_line_};

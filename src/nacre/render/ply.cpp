@@ -61,11 +61,11 @@ class PlyReader {
     static Scalar scalar(std::string_view type, int line) {
         constexpr auto integer = Kind::integer, natural = Kind::natural, real = Kind::real;
         static const std::map<std::string_view, Scalar> kScalars{
-            {"char", {integer, 1}},  {"uchar", {natural, 1}}, {"int8", {integer, 1}},
-            {"uint8", {natural, 1}}, {"short", {integer, 2}}, {"ushort", {natural, 2}},
+            {"char", {integer, 1}},  {"uchar", {natural, 1}},  {"int8", {integer, 1}},
+            {"uint8", {natural, 1}}, {"short", {integer, 2}},  {"ushort", {natural, 2}},
             {"int16", {integer, 2}}, {"uint16", {natural, 2}}, {"int", {integer, 4}},
-            {"uint", {natural, 4}},  {"int32", {integer, 4}}, {"uint32", {natural, 4}},
-            {"float", {real, 4}},    {"float32", {real, 4}},  {"double", {real, 8}},
+            {"uint", {natural, 4}},  {"int32", {integer, 4}},  {"uint32", {natural, 4}},
+            {"float", {real, 4}},    {"float32", {real, 4}},   {"double", {real, 8}},
             {"float64", {real, 8}}};
         const auto found = kScalars.find(type);
         if (found == kScalars.end()) {
@@ -106,7 +106,9 @@ class PlyReader {
     }
 
     static Property property_of(const std::vector<std::string_view>& word, int line) {
-        const auto at = [&](std::size_t i) { return i < word.size() ? word[i] : std::string_view(); };
+        const auto at = [&](std::size_t i) {
+            return i < word.size() ? word[i] : std::string_view();
+        };
         if (at(1) != "list") return {at(2), false, {}, scalar(at(1), line)};
         const Scalar length = scalar(at(2), line);
         if (length.kind == Kind::real) throw MeshFault("has a list whose length is no integer");
@@ -174,7 +176,8 @@ class PlyReader {
             throw MeshFault("has a list whose length is no count");
         }
         const std::size_t size = binary_ ? list.value.size : 2;
-        if (length * static_cast<double>(size) > static_cast<double>(bytes_.size() - position_) + 1) {
+        if (length * static_cast<double>(size) >
+            static_cast<double>(bytes_.size() - position_) + 1) {
             throw MeshFault("is cut short");
         }
         return static_cast<std::size_t>(length);
@@ -196,8 +199,8 @@ class PlyReader {
         constexpr int kPlaces = 8;
         for (const Property& p : element.properties) {
             static const std::map<std::string_view, int> kNames{
-                {"x", 0},  {"y", 1}, {"z", 2}, {"nx", 3},        {"ny", 4},       {"nz", 5}, {"s", 6},
-                {"t", 7},  {"u", 6}, {"v", 7}, {"texture_u", 6}, {"texture_v", 7}};
+                {"x", 0}, {"y", 1}, {"z", 2}, {"nx", 3}, {"ny", 4},        {"nz", 5},
+                {"s", 6}, {"t", 7}, {"u", 6}, {"v", 7},  {"texture_u", 6}, {"texture_v", 7}};
             const auto found = kNames.find(p.name);
             place.push_back(p.list || found == kNames.end() ? -1 : found->second);
         }

@@ -85,8 +85,8 @@ void PolygonMesh::end_face(std::uint32_t of_material) {
         return;
     }
     if (count > kMaxFaceCorners) {
-        throw MeshFault(fmt::format("face {} has {} corners; at most {} are read", end.size(), count,
-                                    kMaxFaceCorners));
+        throw MeshFault(fmt::format("face {} has {} corners; at most {} are read", end.size(),
+                                    count, kMaxFaceCorners));
     }
     if (corners.size() >= kNone) throw MeshFault("has more than 2^32 corners of faces");
     end.push_back(static_cast<std::uint32_t>(corners.size()));
@@ -202,15 +202,16 @@ Mesh triangles_of(const PolygonMesh& polygons, const MeshFile& file, float mm_pe
                 throw MeshFault(fmt::format("vertex {} is not finite", corner.position));
             }
             mesh.positions_mm.push_back(position);
-            const Vec2f uv = corner.uv == PolygonMesh::kNone ? Vec2f{NAN, NAN} : polygons.uv[corner.uv];
+            const Vec2f uv =
+                corner.uv == PolygonMesh::kNone ? Vec2f{NAN, NAN} : polygons.uv[corner.uv];
             laid_out = laid_out && std::isfinite(uv.x) && std::isfinite(uv.y);
             mesh.uv.push_back(uv);
         }
         std::vector<Vec3f> made;
         for (std::size_t k = 0; k < corners.size(); ++k) {
             const std::uint32_t n = corners[k].normal;
-            Vec3f normal =
-                n == PolygonMesh::kNone ? Vec3f{0, 0, 0} : direction_of(turned(polygons.normals[n]));
+            Vec3f normal = n == PolygonMesh::kNone ? Vec3f{0, 0, 0}
+                                                   : direction_of(turned(polygons.normals[n]));
             if (normal == Vec3f{0, 0, 0}) {
                 if (made.empty()) {
                     made = smooth_normals(std::span(mesh.positions_mm).subspan(first),
@@ -236,7 +237,8 @@ Mesh triangles_of(const PolygonMesh& polygons, const MeshFile& file, float mm_pe
 std::vector<Vec3f> smooth_normals(std::span<const Vec3f> corners, double crease_angle_deg) {
     constexpr std::size_t kMostWithCreases = 1024;
     constexpr float kTolerance = 1e-6f;  // of the cosine: rounding is no crease
-    const float least_cosine = static_cast<float>(std::cos(crease_angle_deg * kDegree)) - kTolerance;
+    const float least_cosine =
+        static_cast<float>(std::cos(crease_angle_deg * kDegree)) - kTolerance;
 
     const std::size_t count = corners.size();
     std::vector<Vec3f> plane(count), weighted(count);
@@ -272,9 +274,8 @@ std::vector<Vec3f> smooth_normals(std::span<const Vec3f> corners, double crease_
         }
         for (const std::uint32_t i : here) {
             const bool flat = dot(plane[i], plane[i]) > 0;
-            normals[i] = mean([&](std::uint32_t j) {
-                return !flat || dot(plane[i], plane[j]) >= least_cosine;
-            });
+            normals[i] = mean(
+                [&](std::uint32_t j) { return !flat || dot(plane[i], plane[j]) >= least_cosine; });
         }
     });
     return normals;

@@ -25,8 +25,8 @@ struct PolygonMesh {
 
     std::vector<Vec3f> positions, normals;
     std::vector<Vec2f> uv;
-    std::vector<Corner> corners;     ///< of all faces, one after the other, counter-clockwise
-    std::vector<std::uint32_t> end;  ///< of each face, the corner after its last
+    std::vector<Corner> corners;          ///< of all faces, one after the other, counter-clockwise
+    std::vector<std::uint32_t> end;       ///< of each face, the corner after its last
     std::vector<std::uint32_t> material;  ///< of each face
     std::map<std::string, std::uint32_t> materials;  ///< numbers by name
 

@@ -14,7 +14,8 @@ namespace {
 /// Triangles of a sphere of radius 1 about the origin, cut by longitude and latitude.
 std::vector<Vec3f> sphere(int around, int down) {
     const auto point = [&](int i, int j) {
-        const double u = 2 * std::numbers::pi * (i % around) / around, v = std::numbers::pi * j / down;
+        const double u = 2 * std::numbers::pi * (i % around) / around,
+                     v = std::numbers::pi * j / down;
         const double s = j == 0 || j == down ? 0 : std::sin(v);
         return Vec3f{static_cast<float>(s * std::cos(u)), static_cast<float>(s * std::sin(u)),
                      static_cast<float>(std::cos(v))};
@@ -52,7 +53,8 @@ TEST(SmoothNormals, AreThoseOfASphere) {
 
 // Cut in three or in two, a face of a cube counts by its angle.         [thurmer-1998]
 TEST(SmoothNormals, CountTrianglesByTheirAngle) {
-    const Vec3f o{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, xy{1, 1, 0}, yz{0, 1, 1}, zx{1, 0, 1};
+    const Vec3f o{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, xy{1, 1, 0}, yz{0, 1, 1},
+        zx{1, 0, 1};
     const std::vector<Vec3f> corners{o, y, xy, o, xy, x,  // below, in two
                                      o, z, yz, o, yz, y, o, x, zx, o, zx, z};
     const float third = -1 / std::sqrt(3.0f);
@@ -67,7 +69,8 @@ TEST(SmoothNormals, EndAtCreases) {
     const Vec3f a{0, 0, 0}, b{0, 1, 0};
     const auto folded = [&](double degrees) {
         const double turn = degrees * std::numbers::pi / 180;
-        const Vec3f down{static_cast<float>(std::cos(turn)), 0, static_cast<float>(-std::sin(turn))};
+        const Vec3f down{static_cast<float>(std::cos(turn)), 0,
+                         static_cast<float>(-std::sin(turn))};
         const std::vector<Vec3f> corners{a, b, {-1, 0, 0}, b, a, down};
         const std::vector<Vec3f> normals = smooth_normals(corners, 40);
         return dot(normals[0], normals[4]);  // both in a
@@ -129,24 +132,28 @@ TEST(Polygons, AreCutIntoTrianglesThatCoverThem) {
         }
     }
     // An L, begun at its inner corner; corners in the middle of sides.
-    EXPECT_NEAR(area_of({{1, 1, 0}, {1, 2, 0}, {0, 2, 0}, {0, 0, 0}, {2, 0, 0}, {2, 1, 0}}), 3, 1e-6);
-    EXPECT_NEAR(area_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 2, 0}, {0, 2, 0}}), 4, 1e-6);
+    EXPECT_NEAR(area_of({{1, 1, 0}, {1, 2, 0}, {0, 2, 0}, {0, 0, 0}, {2, 0, 0}, {2, 1, 0}}), 3,
+                1e-6);
+    EXPECT_NEAR(area_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 2, 0}, {0, 2, 0}}), 4,
+                1e-6);
 }
 
 // What has no ears, as it has no area or crosses itself, is cut as well.
 TEST(Polygons, WithoutEarsAreCutInTheirOrder) {
     double steps = 1e9;
     EXPECT_EQ(cut_into_triangles(std::vector<Vec3f>(7, Vec3f{1, 2, 3}), steps).size(), 5u);
-    EXPECT_EQ(cut_into_triangles(std::vector<Vec3f>{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}, steps)
-                  .size(),
-              2u);
+    EXPECT_EQ(
+        cut_into_triangles(std::vector<Vec3f>{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}, steps)
+            .size(),
+        2u);
     steps = 10;
     EXPECT_THROW(cut_into_triangles(star(50, {0, 0, 1}, false), steps), Error);
 }
 
 TEST(EqualVertices, AreJoined) {
     Mesh mesh;
-    mesh.positions_mm = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 1, 0}};
+    mesh.positions_mm = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0},
+                         {1, 1, 0}, {0, 1, 0}, {0, 1, 0}};
     mesh.normals.assign(7, Vec3f{0, 0, 1});
     mesh.normals[6] = {0, 1, 0};  // a vertex of its own
     mesh.uv = {{0, 0}, {1, 0}, {0, 1}, {1, 0}, {1, 1}, {0, 1}, {0, 1}};

@@ -25,7 +25,9 @@ std::uint32_t word(std::string_view bytes, std::size_t at) {
 }
 
 Vec3f vector(std::string_view bytes, std::size_t at) {
-    const auto number = [&](std::size_t i) { return std::bit_cast<float>(word(bytes, at + 4 * i)); };
+    const auto number = [&](std::size_t i) {
+        return std::bit_cast<float>(word(bytes, at + 4 * i));
+    };
     return {number(0), number(1), number(2)};
 }
 
@@ -57,7 +59,8 @@ class TextReader {
 
     PolygonMesh read() {
         const std::uint32_t material = mesh_.material_of(kUnnamedMaterial);
-        if (take_word() != "solid") throw MeshFault("is no STL: neither binary nor does it begin with 'solid'");
+        if (take_word() != "solid")
+            throw MeshFault("is no STL: neither binary nor does it begin with 'solid'");
         position_ = text_.find('\n', position_);  // after its name
         std::size_t corners = 0;
         bool in_facet = false;
@@ -88,7 +91,8 @@ class TextReader {
  private:
     std::string_view take_word() {
         constexpr std::string_view kSpace = " \t\r\n\f\v";
-        const std::size_t begin = text_.find_first_not_of(kSpace, std::min(position_, text_.size()));
+        const std::size_t begin =
+            text_.find_first_not_of(kSpace, std::min(position_, text_.size()));
         if (begin == std::string_view::npos) return {};
         position_ = std::min(text_.find_first_of(kSpace, begin), text_.size());
         return text_.substr(begin, position_ - begin);
@@ -105,7 +109,8 @@ class TextReader {
     }
 
     [[noreturn]] void refuse(std::string_view what) const {
-        const auto end = text_.begin() + static_cast<std::ptrdiff_t>(std::min(position_, text_.size()));
+        const auto end =
+            text_.begin() + static_cast<std::ptrdiff_t>(std::min(position_, text_.size()));
         throw MeshFault(
             fmt::format("line {} has {}", 1 + std::count(text_.begin(), end, '\n'), what));
     }
@@ -124,8 +129,8 @@ PolygonMesh parse_stl(std::string_view bytes) {
         if (facets * kFacet == there) return parse_binary(bytes, facets);
         if (!bytes.starts_with("solid")) {
             if (facets * kFacet > there) {
-                throw MeshFault(fmt::format("is cut short: {} facets take {} bytes, there are {}", facets,
-                                            facets * kFacet, there));
+                throw MeshFault(fmt::format("is cut short: {} facets take {} bytes, there are {}",
+                                            facets, facets * kFacet, there));
             }
             return parse_binary(bytes, facets);
         }
