@@ -67,7 +67,7 @@ nb::dict species_arrays(NacreArrays::Species&& species, std::size_t w) {
     d["key"] = list_of(field.key);
     d["fraction"] = list_of(field.fraction);
     d["cumulative"] = list_of(field.cumulative);
-    d["full_cells"] = field.full_cells;
+    d["full_cells"] = list_of(field.full_cells);
     d["inverse_cover"] = field.inverse_cover;
     d["typical_radius"] = field.typical_radius;
     d["max_widening"] = field.max_widening;

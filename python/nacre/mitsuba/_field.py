@@ -84,7 +84,7 @@ class Field:
         self.key = [int(x) for x in species["key"]]
         self.fraction = [float(x) for x in species["fraction"]]
         self.cumulative = [float(x) for x in species["cumulative"] if x < 1]
-        self.full_cells = float(species["full_cells"])
+        self.full_cells = [float(x) for x in species["full_cells"]]
         self.inverse_cover = float(species["inverse_cover"])
         self.typical_radius = float(species["typical_radius"])
         self.max_widening = float(species["max_widening"])
@@ -170,13 +170,13 @@ class Field:
             for side in self.cell_mm
         ]
         weights = []
-        for count in cells:
-            t = dr.clip((faded - count / self.full_cells) / (faded - 1), 0, 1)
+        for count, full in zip(cells, self.full_cells, strict=True):
+            t = dr.clip((faded - count / full) / (faded - 1), 0, 1)
             weights.append(t * t)
         first = sum(w * f for w, f in zip(weights, self.fraction, strict=True))
         second = sum(w * w * f for w, f in zip(weights, self.fraction, strict=True))
         none = second <= 0
-        all_ = cells[0] <= self.full_cells
+        all_ = cells[0] <= self.full_cells[0]
         deviation = dr.sqrt(second) / dr.maximum(first, 1e-30)
         safe = dr.maximum(deviation, 1e-30)
         widening = dr.clip(0.95 * deviation, 1, self.max_widening)

@@ -81,6 +81,8 @@ std::string webgl_flakes_glsl(const WebglShader::Layout& layout) {
     put("LEVEL_COUNT", fmt::format("{}", Constants::kLevels));
     put("DENSEST", number(field.fraction[0]));
     put("COUNTS", counts_text(field));
+    put("FINEST_CELLS", fmt::format("{}, {}", number(Constants::kFinestCells[0]),
+                                    number(Constants::kFinestCells[1])));
     put("SIZES", of_species(&Species::sizes));
     put("OWN_LAYERS", of_species(&Species::layer));
     put("REFLECTANCES", of_species(&Species::reflectance));
@@ -103,7 +105,7 @@ std::vector<WebglUniform> webgl_flake_uniforms(
         "nacreField", 4, true, {}};  // side of the finest cells, mm; alpha; radius of
                                      // lobes times diameter, um; inverse cover
     WebglUniform levels{
-        "nacreFieldLevels", 4, true, {}};  // full and few cells; typical lobe; widening
+        "nacreFieldLevels", 4, true, {}};  // full and few cells of coarse levels; typical lobe; widening
     WebglUniform size{
         "nacreFieldSize", 4, true, {}};              // radii, mm; square of waviness; of all light
     WebglUniform key{"nacreFieldKey", 4, true, {}};  // of each level, 16 bits each from the lowest
@@ -112,8 +114,8 @@ std::vector<WebglUniform> webgl_flake_uniforms(
     };
     for (const bsdf::NacreArrays::Species& s : species) {
         add(field, {s.field.cell_mm[0], s.alpha, s.radius_um, s.field.inverse_cover});
-        add(levels,
-            {s.field.full_cells, s.field.few_cells, s.field.typical_radius, s.field.max_widening});
+        add(levels, {s.field.full_cells.back(), s.field.few_cells, s.field.typical_radius,
+                     s.field.max_widening});
         const auto [smallest, largest] =
             std::minmax_element(s.diameter_um.begin(), s.diameter_um.end());
         add(size, {0.5e-3 * *smallest, 0.5e-3 * *largest, s.waviness * s.waviness, s.fraction});

@@ -107,9 +107,11 @@ float nacreSpread2(int s, float mi, float mo) {
 #endif
 }
 
-/// How a patch shows a species: FlakeView. Levels fade out where it touches more cells than `full`.
+/// How a patch shows a species: FlakeView. Levels fade out where it touches more cells than `full`, the
+/// finest two where it touches more than `finest`.
 struct NacreShown {
     float resolved, widening, scale, full;
+    vec2 finest;
 };
 
 /// FlakeView::answer_factor()
@@ -143,22 +145,30 @@ float nacreCells(int s, vec2 side, float cell) {
     vec2 cells = 1. + (side + 2. * nacreFieldSize[s].y) / cell;
     return cells.x * cells.y;
 }
-float nacreFaded(float cells, float full) {
-    float t = clamp((2.3 - cells / full) / 1.3, 0., 1.);
+/// The weight of a level of cells of this side.
+float nacreFaded(int s, vec2 side, float cell, NacreShown shown) {
+    float level = cell / nacreField[s].x;
+    float full = level < 2. ? shown.finest.x : level < 8. ? shown.finest.y : shown.full;
+    float t = clamp((2.3 - nacreCells(s, side, cell) / full) / 1.3, 0., 1.);
     return t * t;
 }
 /// FlakeField::level_weights(). lightArea: of a light in slopes over that of a lobe; above 1 it is wide.
 NacreShown nacreLevels(int s, vec2 side, float lightArea) {
     bool wide = lightArea > 1.;
-    float cell = nacreField[s].x;
-    NacreShown shown = NacreShown(1., 1., 1., wide ? nacreFieldLevels[s].y : nacreFieldLevels[s].x);
-    if (nacreCells(s, side, cell) <= shown.full) {
+    float cell = nacreField[s].x, few = nacreFieldLevels[s].y;
+    NacreShown shown = NacreShown(1., 1., 1., nacreFieldLevels[s].x, vec2(@FINEST_CELLS@));
+    if (wide) {
+        shown.full = few;
+        shown.finest = vec2(few);
+    }
+    if (nacreCells(s, side, cell) <= shown.finest.x) {
         shown.full = 1e30;
+        shown.finest = vec2(1e30);
         return shown;
     }
     float first = 0., second = 0., fraction = NACRE_DENSEST;
     for (int l = 0; l < NACRE_LEVELS; ++l, cell *= 4., fraction *= 1. / 16.) {
-        float weight = nacreFaded(nacreCells(s, side, cell), shown.full);
+        float weight = nacreFaded(s, side, cell, shown);
         first += weight * fraction;
         second += weight * weight * fraction;
     }
@@ -405,9 +415,8 @@ vec3 nacreFlakes(NacrePatch seen, bool asked, vec3 wi, vec3 sun, vec3 sunLight, 
             ivec2 end = ivec2(floor((plane.at + plane.reach) / cellSide));
             float cell = cellSide;
             for (int level = 0; level < NACRE_LEVELS; ++level, cell *= 4., begin >>= 2, end >>= 2) {
-                float cells = nacreCells(s, outline.side, cell);
-                float wideWeight = wide.scale * nacreFaded(cells, wide.full);
-                float sunWeight = narrow.scale * nacreFaded(cells, narrow.full);
+                float wideWeight = wide.scale * nacreFaded(s, outline.side, cell, wide);
+                float sunWeight = narrow.scale * nacreFaded(s, outline.side, cell, narrow);
                 if (wideWeight + sunWeight == 0.) continue;
                 uvec4 k = uvec4(nacreFieldKey[NACRE_LEVELS * s + level]);
                 uvec2 levelKey = uvec2(k.x | k.y << 16, k.z | k.w << 16);

@@ -47,14 +47,15 @@ FlakeField::FlakeField(const FlakePopulation& population, std::uint64_t seed)
     constexpr float kFewestCells = 6, kMaxCells = 12;
     const float across = 1 + 2 * largest_radius_mm_ / static_cast<float>(levels_[0].cell_mm);
     few_cells_ = std::clamp(1.1f * across * across, 4.0f, kMaxCells);
-    full_cells_ = std::clamp(1.5f * across * across, kFewestCells, kMaxCells);
+    full_cells_ = splat(std::clamp(1.5f * across * across, kFewestCells, kMaxCells));
+    for (int i = 0; const float cells : Constants::kFinestCells) full_cells_[i++] = cells;
 }
 
 double FlakeField::exact_side_mm() const {
     // The side that touches full_cells_ as level_weights() counts them, less a margin for rounding.
     constexpr double kSafety = 0.999;
-    const double side =
-        levels_[0].cell_mm * (std::sqrt(double{full_cells_}) - 1) - 2 * double{largest_radius_mm_};
+    const double side = levels_[0].cell_mm * (std::sqrt(double{full_cells_[0]}) - 1) -
+                        2 * double{largest_radius_mm_};
     return kSafety * std::max(0.0, side);
 }
 
@@ -70,9 +71,9 @@ FlakeField::Constants FlakeField::constants() const {
         out.cell_mm[level] = levels_[level].cell_mm;
         out.key[level] = levels_[level].key;
         out.fraction[level] = fraction_[level];
+        out.full_cells[level] = full_cells_[level];
     }
     out.cumulative = cumulative_;
-    out.full_cells = full_cells_;
     out.few_cells = few_cells_;
     out.inverse_cover = inverse_cover_;
     out.typical_radius = typical_radius_;
@@ -122,11 +123,11 @@ FlakeField::Weights FlakeField::level_weights(const float* side_mm,
                                               const StandIns& stand_ins) const {
     /// Where a level has faded out, in terms of full_cells_.
     constexpr float kFaded = 2.3f;
-    const float full_cells = stand_ins.few ? few_cells_ : full_cells_;
+    const FloatLanes full_cells = stand_ins.few ? splat(few_cells_) : full_cells_;
     const FloatLanes cells = (1.0f + (side_mm[0] + 2 * largest_radius_mm_) * per_mm_) *
                              (1.0f + (side_mm[1] + 2 * largest_radius_mm_) * per_mm_);
     Weights weights;
-    if (cells[0] <= full_cells) {  // every level: the most common case
+    if (cells[0] <= full_cells[0]) {  // every level: the most common case
         weights.by_level = splat(1.0f);
         weights.resolved = 1;
         return weights;

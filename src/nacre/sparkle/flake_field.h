@@ -90,12 +90,17 @@ class FlakeField {
         static constexpr int kSideBits = 2;  ///< the sides of the cells double as often from level
                                              ///< to level
         static constexpr int kMaxFlakesPerCell = 24;
+        /// Of full_cells, from the finest level: to look whether a flake mirrors a light costs so little that
+        /// a picture in the sun may show those that are there where it could show as many that stand for
+        /// them. Each has faded before the next begins to.
+        static constexpr std::array<float, 2> kFinestCells{40, 12};
         std::array<double, kLevels> cell_mm;              ///< side of the cells, by level
         std::array<std::uint64_t, kLevels> key;           ///< of their hashes
         std::array<float, kLevels> fraction;              ///< of all flakes
         std::array<float, kMaxFlakesPerCell> cumulative;  ///< probability of at most n in a cell
-        float full_cells;      ///< a level begins to fade where a patch touches so many cells
-        float few_cells;       ///< the same where flakes are asked one by one
+        std::array<float, kLevels>
+            full_cells;        ///< a level begins to fade where a patch touches so many cells
+        float few_cells;       ///< the same of all levels where flakes are asked one by one
         float inverse_cover;   ///< 1 / (density x mean area)
         float typical_radius;  ///< FlakeView::typical_radius
         float max_widening;    ///< of FlakeView::widening
@@ -154,7 +159,8 @@ class FlakeField {
     /// [n]: the probability of at most n flakes in a cell.
     std::array<float, kMaxFlakesPerCell> cumulative_;
     /// A level begins to fade out where the patch touches this many of its cells.
-    float full_cells_, few_cells_;  // few: where flakes are asked one by one
+    FloatLanes full_cells_;
+    float few_cells_;  // the same of all levels where flakes are asked one by one
     float alpha_, largest_radius_mm_, smallest_radius_mm_;
     float inverse_cover_;   // 1 / (density x mean area)
     float typical_radius_;  // FlakeView::typical_radius

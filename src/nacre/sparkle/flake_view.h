@@ -20,8 +20,9 @@ namespace nacre::sparkle {
 /// one of them: the light has the variance and nearly the distribution of that of all flakes.
 ///                                                     [docs/nacre-model.md, any number of flakes]
 struct FlakeView {
-    /// The patch shows 30 flakes at most on average; a Poisson number of that mean is never larger.
-    static constexpr int kMax = 128;
+    /// The patch touches 190 flakes at most on average (FlakeField::Constants::kFinestCells); a Poisson number
+    /// of that mean is never larger.
+    static constexpr int kMax = 288;
 
     int count = 0;
     /// What is not resolved; background_at() adds what does not lie in the lobes of the flakes.
