@@ -104,8 +104,10 @@ std::vector<WebglUniform> webgl_flake_uniforms(
     WebglUniform field{
         "nacreField", 4, true, {}};  // side of the finest cells, mm; alpha; radius of
                                      // lobes times diameter, um; inverse cover
-    WebglUniform levels{
-        "nacreFieldLevels", 4, true, {}};  // full and few cells of coarse levels; typical lobe; widening
+    WebglUniform levels{"nacreFieldLevels",
+                        4,
+                        true,
+                        {}};  // full and few cells of coarse levels; typical lobe; widening
     WebglUniform size{
         "nacreFieldSize", 4, true, {}};              // radii, mm; square of waviness; of all light
     WebglUniform key{"nacreFieldKey", 4, true, {}};  // of each level, 16 bits each from the lowest

@@ -234,6 +234,45 @@ TEST(WebglFlakes, ColoursAreThoseThatTheShaderIsHeldTo) {
     }
 }
 
+// What a patch resolves of the flakes of a shipped paint, from those that it touches one by one to those of
+// the coarsest level. WRITE_FLAKE_LEVELS=1 in the environment writes the file anew.
+TEST(WebglFlakes, LevelsAreThoseThatTheShaderIsHeldTo) {
+    const auto paint = std::make_shared<const solver::SolvedPaint>(solver::solve(
+        io::read_recipe(shipped_file("paints/red-gold.toml")), spectra::default_wavelengths_nm()));
+    const bsdf::Nacre nacre(paint);
+    const sparkle::FlakeField& field = nacre.tables().species[0].field;
+    nlohmann::json all = nlohmann::json::array();
+    int resolving = 0;
+    const auto view = std::make_unique<sparkle::FlakeView>();
+    for (int i = 0; i < 48; ++i) {
+        const float x = 0.01f * std::pow(1.25f, static_cast<float>(i)),
+                    y = i % 3 == 0 ? 0.5f * x : x;
+        for (const float light_area : {0.0f, 0.5f, 2.0f}) {
+            const sparkle::ObjectSpaceFootprint patch{
+                {}, {0, 0, 1}, {1, 0, 0}, {Vec3f{x, 0, 0}, Vec3f{0, y, 0}}};
+            field.leave_out(patch, *view, {light_area, light_area > 1});
+            all.push_back({{"side_mm", {x, y}},
+                           {"light_area", light_area},
+                           {"resolved", 1 - view->background},
+                           {"widening", view->widening}});
+            resolving += view->background > 0 && view->background < 1;
+        }
+    }
+    EXPECT_GT(resolving, 50);
+    if (std::getenv("WRITE_FLAKE_LEVELS")) {
+        std::ofstream(NACRE_FLAKE_LEVELS) << all.dump(4) << "\n";
+    }
+    std::ifstream file(NACRE_FLAKE_LEVELS);
+    const nlohmann::json known = nlohmann::json::parse(file);
+    ASSERT_EQ(known.size(), all.size());
+    for (std::size_t n = 0; n < all.size(); ++n) {
+        for (const char* key : {"light_area", "resolved", "widening"}) {
+            const double want = known[n][key], got = all[n][key];
+            EXPECT_NEAR(got, want, 1e-5 * want) << key << " of " << n;
+        }
+    }
+}
+
 TEST(WebglFlakes, AreLeftOutOfFilesOfOnePaint) {
     for (const double roughness : {0.0, 0.1}) {
         const auto paint = two_species(roughness);

@@ -6,6 +6,7 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import COLOURS from "./flake_colours.json";
 import HASHES from "./flake_hash.json";
+import LEVELS from "./flake_levels.json";
 import { LiveBrowser } from "./live_browser";
 import type { LivePicture, Scene } from "./live_page";
 
@@ -52,6 +53,18 @@ test("the shader gives single flakes the path tracer's colours", async () => {
     // By sixteen wavelengths in place of 31, and half floats (kShaderError of webgl_shader_test.cpp).
     assert.ok(worst < 0.02);
     assert.ok(farthest > 0.1);
+});
+
+test("the shader resolves as many flakes as the program", async () => {
+    const got = await browser.page.evaluate(
+        (cases) => window.flakeLevels("red-gold", cases),
+        LEVELS,
+    );
+    LEVELS.forEach(({ resolved, widening }, k) => {
+        const mine = got[k] as { resolved: number; widening: number };
+        assert.ok(Math.abs(mine.resolved - resolved) < 1e-4, `resolved, case ${String(k)}`);
+        assert.ok(Math.abs(mine.widening - widening) < 1e-4 * widening, `case ${String(k)}`);
+    });
 });
 
 /** ln of the luminance, less its mean over the neighbourhood: what glitters. */

@@ -120,11 +120,42 @@ void main() {
     });
 }
 
+/** The sides of a patch, and a light's area in slopes over that of a lobe. */
+export interface LevelCase {
+    readonly side_mm: readonly number[];
+    readonly light_area: number;
+}
+
+/** What the shader of a paint resolves of its first species on each: nacreLevels(). */
+async function flakeLevels(
+    paintName: string,
+    cases: readonly LevelCase[],
+): Promise<{ resolved: number; widening: number }[]> {
+    const probe = await Probe.of(
+        await shaderOf(paintName, "studio"),
+        `
+uniform vec3 patch_;
+out vec4 levels;
+void main() {
+    NacreShown shown = nacreLevels(0, patch_.xy, patch_.z);
+    levels = vec4(shown.resolved, shown.widening, 0., 0.);
+}`,
+        { floats: true, outputs: 1 },
+    );
+    return cases.map(({ side_mm: [x = 0, y = 0], light_area }) => {
+        probe.pass.set({ patch_: [x, y, light_area] });
+        const [resolved = 0, widening = 0] = probe.draw();
+        return { resolved, widening };
+    });
+}
+
 declare global {
     interface Window {
         hashes: typeof hashes;
         flakeColours: typeof flakeColours;
+        flakeLevels: typeof flakeLevels;
     }
 }
 window.hashes = hashes;
 window.flakeColours = flakeColours;
+window.flakeLevels = flakeLevels;
