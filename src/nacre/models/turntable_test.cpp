@@ -213,9 +213,9 @@ constexpr Paint kPaints[] = {
     // 450 faint ones. Their lobes are as wide as lobes get; most are in the background.
     {"MostInTheBackground", 6, 40, 1, 1},
     // The level of 15 flakes in 16 has nearly faded out.
-    {"DensestLevelFading", 20, 1.4, 1.8, 2.6},
+    {"DensestLevelFading", 20, 14.6, 1.8, 2.6},
     // It has: lobes are 3 times as wide, and the remaining variance is in the background.
-    {"DensestLevelFaded", 20, 10, 3, 3.1},
+    {"DensestLevelFaded", 20, 20, 3, 3.1},
 };
 
 class Turntable : public ::testing::TestWithParam<Paint> {
