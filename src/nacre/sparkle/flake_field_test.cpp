@@ -203,7 +203,7 @@ TEST(FlakeField, KeepsNearlyTheSkewnessWhereFewStandForMany) {
     const FlakeField field(kSilver, 7);
     const Vec2f slope = {0.05f, 0};
     const float cosine = 0.9f;
-    for (const double flakes : {15.0, 40.0, 100.0}) {
+    for (const double flakes : {100.0, 150.0, 250.0}) {
         const double side = side_of(flakes, kSilver);
         double mean = 0, second = 0, third = 0;
         constexpr int kPatches = 200000;
@@ -238,7 +238,7 @@ TEST(FlakeField, KeepsTheMeanWhateverTheSizesAndTheLobe) {
         for (const Vec2f relative : {Vec2f{0, 0}, Vec2f{0.9f, 0.4f}, Vec2f{-1.8f, 0}}) {
             const Vec2f slope = {relative.x * static_cast<float>(population.alpha),
                                  relative.y * static_cast<float>(population.alpha)};
-            const double side = side_of(30, population);
+            const double side = side_of(200, population);
             const Moments m = moments(40000, [&](int i) {
                 return relative_radiance(
                     field, square(4 * side * (i % 200), 4 * side * (i / 200.0), side), slope, 0.8f);
