@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nacre/core/text.h"
+#include "nacre/render/mesh_bytes.h"
 #include "nacre/render/mesh_fault.h"
 #include "nacre/render/mesh_file.h"
 
@@ -14,14 +15,6 @@ namespace nacre::render {
 namespace {
 
 using nlohmann::json;
-
-std::uint32_t little_endian(std::string_view bytes, std::size_t at) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 4; i-- > 0;) {
-        value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
-    }
-    return value;
-}
 
 constexpr std::string_view kGlbMagic = "glTF";
 constexpr std::uint32_t kGlbVersion = 2, kJsonChunk = 0x4E4F534A, kBufferChunk = 0x004E4942;

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "nacre/core/text.h"
+#include "nacre/render/mesh_bytes.h"
 #include "nacre/render/mesh_fault.h"
 
 namespace nacre::render {
@@ -142,14 +143,12 @@ class PlyReader {
     double take(Scalar scalar) { return binary_ ? take_binary(scalar) : take_text(); }
 
     double take_text() {
-        constexpr std::string_view kSpace = " \t\r\n\f\v";
-        position_ = std::min(bytes_.find_first_not_of(kSpace, position_), bytes_.size());
-        const std::size_t end = std::min(bytes_.find_first_of(kSpace, position_), bytes_.size());
-        const std::string_view word = bytes_.substr(position_, end - position_);
+        const std::string_view word = take_word(bytes_, position_);
         if (word.empty()) throw MeshFault("is cut short");
         const auto number = parse_number(word);
-        if (!number) throw MeshFault(fmt::format("has what is no number at byte {}", position_));
-        position_ = end;
+        if (!number)
+            throw MeshFault(
+                fmt::format("has what is no number at byte {}", position_ - word.size()));
         return *number;
     }
 

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "nacre/core/text.h"
+#include "nacre/render/mesh_bytes.h"
 #include "nacre/render/mesh_fault.h"
 
 namespace nacre::render {
@@ -18,15 +19,9 @@ namespace {
 // its normal and its corners; and two bytes more.
 constexpr std::size_t kHeader = 80, kCount = 4, kFacet = 50;
 
-std::uint32_t word(std::string_view bytes, std::size_t at) {
-    std::uint32_t bits = 0;
-    for (std::size_t i = 4; i-- > 0;) bits = bits << 8 | static_cast<unsigned char>(bytes[at + i]);
-    return bits;
-}
-
 Vec3f vector(std::string_view bytes, std::size_t at) {
     const auto number = [&](std::size_t i) {
-        return std::bit_cast<float>(word(bytes, at + 4 * i));
+        return std::bit_cast<float>(little_endian(bytes, at + 4 * i));
     };
     return {number(0), number(1), number(2)};
 }
@@ -89,14 +84,7 @@ class TextReader {
     }
 
  private:
-    std::string_view take_word() {
-        constexpr std::string_view kSpace = " \t\r\n\f\v";
-        const std::size_t begin =
-            text_.find_first_not_of(kSpace, std::min(position_, text_.size()));
-        if (begin == std::string_view::npos) return {};
-        position_ = std::min(text_.find_first_of(kSpace, begin), text_.size());
-        return text_.substr(begin, position_ - begin);
-    }
+    std::string_view take_word() { return render::take_word(text_, position_); }
 
     Vec3f take_vector() {
         std::array<float, 3> v{};
@@ -125,7 +113,8 @@ class TextReader {
 PolygonMesh parse_stl(std::string_view bytes) {
     // Binary files may begin with 'solid' as well: their length tells.
     if (bytes.size() >= kHeader + kCount) {
-        const std::size_t facets = word(bytes, kHeader), there = bytes.size() - kHeader - kCount;
+        const std::size_t facets = little_endian(bytes, kHeader),
+                          there = bytes.size() - kHeader - kCount;
         if (facets * kFacet == there) return parse_binary(bytes, facets);
         if (!bytes.starts_with("solid")) {
             if (facets * kFacet > there) {

@@ -336,41 +336,6 @@ TEST(FlakeField, ResolvesEveryFlakeUpToItsExactSide) {
     EXPECT_EQ(FlakeField(overlapping, 1).exact_side_mm(), 0);
 }
 
-// What does not fit into a view would be lost without a word.
-TEST(FlakeField, HasRoomForEveryFlakeThatAPatchTouches) {
-    const auto view = std::make_unique<FlakeView>();
-    const Vec3f diagonal = normalize(Vec3f{1, 1, 1}), across = normalize(Vec3f{1, -1, 0});
-    double most = 0;
-    for (const double density : {30.0, 4000.0, 2e5}) {
-        FlakePopulation population = kSilver;
-        population.density_per_mm2 = density;
-        const FlakeField field(population, 1);
-        for (double cells = 4; cells < 3000; cells *= 1.1) {
-            const double side = field.constants().cell_mm[0] * (std::sqrt(cells) - 1) -
-                                1e-3 * population.diameter_um;
-            if (side <= 0) continue;
-            for (const bool tilted : {false, true}) {
-                for (const bool few : {false, true}) {
-                    const Moments counts = moments(60, [&](int i) {
-                        ObjectSpaceFootprint patch = square(7.3 * i * side, -3.1 * i * side, side);
-                        if (tilted) {  // three planes have a third of the flakes each
-                            patch.normal = diagonal;
-                            patch.tangent = across;
-                            patch.edge_mm[0] = static_cast<float>(side) * across;
-                            patch.edge_mm[1] = static_cast<float>(side) * cross(diagonal, across);
-                        }
-                        field.look(patch, *view, {.few = few});
-                        return view->count;
-                    });
-                    most = std::max(most, counts.mean);
-                }
-            }
-        }
-    }
-    EXPECT_LT(most + 6 * std::sqrt(most), FlakeView::kMax) << most;
-    EXPECT_GT(most, FlakeView::kMax / 2) << "more room than is needed";
-}
-
 TEST(FlakeField, ChangesWithoutJumpsFromACloseUpToADistantView) {
     const FlakeField field(kSilver, 1);
     const auto view = std::make_unique<FlakeView>();
