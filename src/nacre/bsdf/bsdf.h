@@ -77,6 +77,40 @@ struct AskedFlake {
     FloatLanes colour{};  ///< nearly flake_weight() over `strength`
 };
 
+/// Eight of one species; those whose strength is 0 send no light.
+struct AskedFlakes {
+    Vec3Lanes wo;
+    FloatLanes pdf, strength;
+    std::array<FloatLanes, kLanes> colour;  ///< by flake
+    int species, first;                     ///< AskedFlake::flake of the first; the others follow
+
+    AskedFlakes() {}  // no value: all of it is written before it is read
+    AskedFlake flake(int lane) const {
+        return {nacre::lane(wo, lane), pdf[lane],   strength[lane], species,
+                first + lane,          colour[lane]};
+    }
+};
+
+/// Has turn(wo, pdf) change both of each flake; one for which it is false sends no light.
+template <class Turn>
+void for_each_asked(std::vector<AskedFlakes>& list, Turn&& turn) {
+    for (AskedFlakes& flakes : list) {
+        for (int i = 0; i < kLanes; ++i) {
+            if (flakes.strength[i] == 0) continue;
+            Vec3f wo = lane(flakes.wo, i);
+            float pdf = flakes.pdf[i];
+            if (!turn(wo, pdf)) {
+                flakes.strength[i] = 0;
+                continue;
+            }
+            flakes.wo.x[i] = wo.x;
+            flakes.wo.y[i] = wo.y;
+            flakes.wo.z[i] = wo.z;
+            flakes.pdf[i] = pdf;
+        }
+    }
+}
+
 /// A cache of what a surface has computed for a patch, so that it need not be computed again for
 /// the next pair of directions. Owned by whoever asks, one a thread.
 class PatchMemory {
@@ -93,7 +127,7 @@ class PatchMemory {
     unsigned filled = 0;
     /// Room for the flakes of a patch that are asked, and two numbers for each; kept from patch to
     /// patch, so that nothing is allocated once the largest has been seen.
-    std::vector<AskedFlake> asked;
+    std::vector<AskedFlakes> asked;
     std::vector<float> brightness, strength;
 
  private:
@@ -216,7 +250,7 @@ class BoundBsdf {
     /// one, with 32 random bits, for a list that is written anew. The sum of flake_weight() times
     /// the light from wo over the list estimates what the flakes reflect.
     virtual void ask_flakes(const Patch&, Vec3f /*wi*/, std::uint32_t /*random*/,
-                            std::vector<AskedFlake>& list) const {
+                            std::vector<AskedFlakes>& list) const {
         list.clear();
     }
     /// f |cos| / pdf of the flake alone, at the direction that was drawn.

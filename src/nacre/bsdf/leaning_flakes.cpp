@@ -313,22 +313,22 @@ float LeaningFlakes::narrow_light(Vec3f wi) const {
 }
 
 void LeaningFlakes::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
-                               std::vector<AskedFlake>& list) const {
+                               std::vector<AskedFlakes>& list) const {
     list.clear();
     const auto i = ray_of(wi);
     // Where a pair stands for another nothing is asked: beyond_on() or flakes_at() has it all.
     if (!i || i->jacobian == 0) return;
     flat_.ask_flakes(patch, i->flat, random, list);
     const float n = index_.mean;
-    std::erase_if(list, [&](AskedFlake& flake) {
-        if (flake.wo.z <= kMinFlatCosine) return true;
-        const Vec3f there = refracted(flake.wo, n), inside = lean_.from_flakes(there);
+    for_each_asked(list, [&](Vec3f& wo, float& pdf) {
+        if (wo.z <= kMinFlatCosine) return false;
+        const Vec3f there = refracted(wo, n), inside = lean_.from_flakes(there);
         const float x = n * inside.x, y = n * inside.y, cosine2 = 1 - x * x - y * y;
-        if (!(cosine2 > 0)) return true;
+        if (!(cosine2 > 0)) return false;
         const float z = std::sqrt(cosine2);
-        flake.pdf *= there.z * z / (inside.z * flake.wo.z);
-        flake.wo = {x, y, z};
-        return false;
+        pdf *= there.z * z / (inside.z * wo.z);
+        wo = {x, y, z};
+        return true;
     });
 }
 

@@ -288,18 +288,18 @@ float TiltedCoat::narrow_light(Vec3f wi) const {
 }
 
 void TiltedCoat::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
-                            std::vector<AskedFlake>& list) const {
+                            std::vector<AskedFlakes>& list) const {
     list.clear();
     const auto i = ray_of(wi);
     if (!i) return;
     flat_.ask_flakes(patch, i->flat, random, list);
-    std::erase_if(list, [&](AskedFlake& flake) {
-        const auto wo = leave(flake.wo);
+    for_each_asked(list, [&](Vec3f& flake_wo, float& pdf) {
+        const auto wo = leave(flake_wo);
         const auto o = wo ? ray_of(*wo) : std::nullopt;
-        if (!o || o->jacobian == 0) return true;
-        flake.wo = *wo;
-        flake.pdf *= o->jacobian;
-        return false;
+        if (!o || o->jacobian == 0) return false;
+        flake_wo = *wo;
+        pdf *= o->jacobian;
+        return true;
     });
 }
 

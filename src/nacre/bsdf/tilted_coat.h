@@ -65,7 +65,7 @@ class TiltedCoat final : public BoundBsdf {
     bool tells_flakes_apart() const override { return flat_.tells_flakes_apart(); }
     float narrow_light(Vec3f wi) const override;
     void ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
-                    std::vector<AskedFlake>& list) const override;
+                    std::vector<AskedFlakes>& list) const override;
     FloatLanes flake_weight(const Patch& patch, Vec3f wi, const AskedFlake& flake) const override;
     FloatLanes flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float pdf) const override;
     std::size_t patch_memory_bytes() const override { return flat_.patch_memory_bytes(); }

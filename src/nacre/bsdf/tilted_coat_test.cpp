@@ -262,7 +262,8 @@ TEST(TiltedCoat, NothingComesFromBelowEitherHorizon) {
                 away.sample(grazing, 0.5f, {0.3f, 0.4f}).has_value());
 }
 
-// What flakes give to light samples is what they give when asked: f cos over the hemisphere.
+// What flakes give to light samples is what they give when asked: f cos over all that leaves a flat coat too.
+// Beyond its critical angle no flake is asked.
 TEST(TiltedCoat, FlakesAskedOneByOneGiveTheirLight) {
     const SparklingModel model(paint_of({metal_flake(40, 0.7)}));
     Rng rng(3);
@@ -272,6 +273,13 @@ TEST(TiltedCoat, FlakesAskedOneByOneGiveTheirLight) {
     patch.flakes = Patch::Flakes::apart;
     const Vec3f wi = direction(30, 20);
     const TiltedCoat coat(*model.bound, {0.06f, -0.04f}, wi);
+    const float ior = coat.binder_index().mean;
+    const auto leaves_flat_coat = [&](Vec3f wo) {
+        const float cosine = dot(wo, coat.normal());
+        const float z = (wo.z - cosine * coat.normal().z) / ior +
+                        coat.normal().z * std::sqrt(1 - (1 - cosine * cosine) / (ior * ior));
+        return z > std::sqrt(1 - 1 / (ior * ior));
+    };
     double sum = 0;
     constexpr int kGrid = 1400;  // far finer than the lobe of a flake
     for (int a = 0; a < kGrid; ++a) {
@@ -279,6 +287,7 @@ TEST(TiltedCoat, FlakesAskedOneByOneGiveTheirLight) {
             const double x = 2 * (a + 0.5) / kGrid - 1, y = 2 * (b + 0.5) / kGrid - 1;
             if (x * x + y * y >= 1) continue;
             const Vec3f wo = to_float(Vec3d{x, y, std::sqrt(1 - x * x - y * y)});
+            if (!leaves_flat_coat(wo)) continue;
             constexpr double kArea = 4.0 / (kGrid * kGrid);  // cos d omega
             sum += kArea * coat.flakes_at(patch, wi, wo, std::numeric_limits<float>::infinity())[3];
         }
@@ -286,7 +295,7 @@ TEST(TiltedCoat, FlakesAskedOneByOneGiveTheirLight) {
     std::vector<AskedFlake> list;
     std::vector<double> light;
     for (int time = 0; time < 400; ++time) {
-        coat.ask_flakes(patch, wi, static_cast<std::uint32_t>(hash_of(time)), list);
+        list = asked_flakes(coat, patch, wi, static_cast<std::uint32_t>(hash_of(time)));
         light.push_back(0);
         for (const AskedFlake& flake : list) light.back() += coat.flake_weight(patch, wi, flake)[3];
     }

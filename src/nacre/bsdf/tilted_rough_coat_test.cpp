@@ -288,7 +288,7 @@ TEST(TiltedRoughCoat, FlakesAskedOneByOneGiveTheirLight) {
     std::vector<AskedFlake> list;
     std::vector<double> light;
     for (int time = 0; time < 400; ++time) {
-        coat.ask_flakes(patch, wi, static_cast<std::uint32_t>(hash_of(time)), list);
+        list = asked_flakes(coat, patch, wi, static_cast<std::uint32_t>(hash_of(time)));
         light.push_back(0);
         for (const AskedFlake& flake : list) light.back() += coat.flake_weight(patch, wi, flake)[3];
     }

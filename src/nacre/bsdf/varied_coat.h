@@ -35,7 +35,7 @@ class VariedCoat final : public BoundBsdf {
     bool tells_flakes_apart() const override { return mean_.tells_flakes_apart(); }
     float narrow_light(Vec3f wi) const override { return mean_.narrow_light(wi); }
     void ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
-                    std::vector<AskedFlake>& list) const override {
+                    std::vector<AskedFlakes>& list) const override {
         mean_.ask_flakes(patch, wi, random, list);
     }
     std::size_t patch_memory_bytes() const override { return mean_.patch_memory_bytes(); }

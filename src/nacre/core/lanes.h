@@ -88,12 +88,16 @@ inline bool any(IntLanes holds) {
     for (int i = 0; i < kLanes; ++i) some |= holds[i];
     return some != 0;
 }
-/// Sum, largest and mean over the lanes.
+/// Sum, largest and mean over the lanes. The sum is one of halves and of quarters, so that no
+/// addition waits for seven others.
 template <class V>
-inline auto lane_sum(V a) {
-    auto s = a[0];
-    for (int i = 1; i < kLanes; ++i) s += a[i];
-    return s;
+inline auto lane_sum(const V& a) {
+    using Half __attribute__((vector_size(sizeof(V) / 2))) = std::remove_cvref_t<decltype(a[0])>;
+    Half low, high;
+    std::memcpy(&low, &a, sizeof low);
+    std::memcpy(&high, reinterpret_cast<const char*>(&a) + sizeof low, sizeof high);
+    const Half s = low + high;
+    return (s[0] + s[2]) + (s[1] + s[3]);
 }
 template <class V>
 inline auto lane_max(V a) {

@@ -104,10 +104,8 @@ std::vector<WebglUniform> webgl_flake_uniforms(
     WebglUniform field{
         "nacreField", 4, true, {}};  // side of the finest cells, mm; alpha; radius of
                                      // lobes times diameter, um; inverse cover
-    WebglUniform levels{"nacreFieldLevels",
-                        4,
-                        true,
-                        {}};  // full and few cells of coarse levels; typical lobe; widening
+    WebglUniform levels{
+        "nacreFieldLevels", 4, true, {}};  // full cells of coarse levels; typical lobe; widening; 0
     WebglUniform size{
         "nacreFieldSize", 4, true, {}};              // radii, mm; square of waviness; of all light
     WebglUniform key{"nacreFieldKey", 4, true, {}};  // of each level, 16 bits each from the lowest
@@ -116,8 +114,7 @@ std::vector<WebglUniform> webgl_flake_uniforms(
     };
     for (const bsdf::NacreArrays::Species& s : species) {
         add(field, {s.field.cell_mm[0], s.alpha, s.radius_um, s.field.inverse_cover});
-        add(levels, {s.field.full_cells.back(), s.field.few_cells, s.field.typical_radius,
-                     s.field.max_widening});
+        add(levels, {s.field.full_cells.back(), s.field.typical_radius, s.field.max_widening, 0});
         const auto [smallest, largest] =
             std::minmax_element(s.diameter_um.begin(), s.diameter_um.end());
         add(size, {0.5e-3 * *smallest, 0.5e-3 * *largest, s.waviness * s.waviness, s.fraction});

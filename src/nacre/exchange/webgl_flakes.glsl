@@ -117,7 +117,7 @@ struct NacreShown {
 /// FlakeView::answer_factor()
 float nacreAnswer(int s, NacrePair p, float resolved, float widening) {
     float exponent = nacreExponent(s, p.slope2);
-    float radius = nacreFieldLevels[s].z * nacreWidening(p.sec2, p.cosine);
+    float radius = nacreFieldLevels[s].y * nacreWidening(p.sec2, p.cosine);
     float relative = nacreExponent(s, nacreFieldSize[s].z + p.coat2), narrower = 1. / (1. + relative);
     float power = relative > 0. ? max(NACRE_LOBE_POWER, 1. - .2 * radius * inversesqrt(relative))
                                 : NACRE_LOBE_POWER;
@@ -155,12 +155,8 @@ float nacreFaded(int s, vec2 side, float cell, NacreShown shown) {
 /// FlakeField::level_weights(). lightArea: of a light in slopes over that of a lobe; above 1 it is wide.
 NacreShown nacreLevels(int s, vec2 side, float lightArea) {
     bool wide = lightArea > 1.;
-    float cell = nacreField[s].x, few = nacreFieldLevels[s].y;
+    float cell = nacreField[s].x;
     NacreShown shown = NacreShown(1., 1., 1., nacreFieldLevels[s].x, vec2(@FINEST_CELLS@));
-    if (wide) {
-        shown.full = few;
-        shown.finest = vec2(few);
-    }
     if (nacreCells(s, side, cell) <= shown.finest.x) {
         shown.full = 1e30;
         shown.finest = vec2(1e30);
@@ -175,7 +171,7 @@ NacreShown nacreLevels(int s, vec2 side, float lightArea) {
     shown.resolved = 0.;
     if (second > 0.) {
         float ratio = sqrt(second) / first;
-        if (!wide) shown.widening = clamp(.95 * ratio, 1., max(nacreFieldLevels[s].w, 1.));
+        if (!wide) shown.widening = clamp(.95 * ratio, 1., max(nacreFieldLevels[s].z, 1.));
         float contrast =
             wide ? 1. : sqrt((shown.widening * shown.widening + lightArea) / (1. + lightArea));
         shown.resolved = min(contrast / ratio, 1.);
@@ -389,7 +385,7 @@ vec3 nacreFlakes(NacrePatch seen, bool asked, vec3 wi, vec3 sun, vec3 sunLight, 
         NacreShown wide = nacreLevels(s, outline.side, 2.), narrow = wide;
         if (sunny && wide.resolved < 1.) {
             // FlakeField::lobe_area() as what it is outside the coat.
-            float radius = nacreFieldLevels[s].z * alpha / max(i.z, .1);
+            float radius = nacreFieldLevels[s].y * alpha / max(i.z, .1);
             float area = 5. * PI / 9. * (radius * radius + nacreSpread2(s, i.z, i.z));
             float angle = area * 4. * i.z * i.z * i.z * nacreIor * nacreIor * i.z / wi.z;
             narrow = nacreLevels(s, outline.side, min(sunAngle / angle, 1.));

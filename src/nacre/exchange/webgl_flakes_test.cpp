@@ -15,6 +15,7 @@
 #include "nacre/solver/solver.h"
 #include "nacre/spectra/rgb.h"
 #include "nacre/spectra/spectrum.h"
+#include "nacre/testing/bsdf.h"
 #include "nacre/testing/paints.h"
 
 namespace nacre::exchange {
@@ -194,9 +195,9 @@ TEST(WebglFlakes, ColoursAreThoseThatTheShaderIsHeldTo) {
         patch.flakes = bsdf::Patch::Flakes::apart;
         const float sine = 0.9f * rng.uniform_float();
         const Vec3f wi = {sine, 0, std::sqrt(1 - sine * sine)};
-        bound[0]->ask_flakes(patch, wi, rng.next_u32(), asked);
+        asked = bsdf::asked_flakes(*bound[0], patch, wi, rng.next_u32());
         sparkle::FlakeView view;
-        field.look(patch.footprint, view, {1, true});
+        field.look(patch.footprint, view, {1});
         if (asked.empty()) continue;
         bsdf::AskedFlake& flake = asked.front();
         flake.pdf = flake.wo.z;  // what is asked for times the cosine over this
@@ -250,7 +251,7 @@ TEST(WebglFlakes, LevelsAreThoseThatTheShaderIsHeldTo) {
         for (const float light_area : {0.0f, 0.5f, 2.0f}) {
             const sparkle::ObjectSpaceFootprint patch{
                 {}, {0, 0, 1}, {1, 0, 0}, {Vec3f{x, 0, 0}, Vec3f{0, y, 0}}};
-            field.leave_out(patch, *view, {light_area, light_area > 1});
+            field.leave_out(patch, *view, {light_area});
             all.push_back({{"side_mm", {x, y}},
                            {"light_area", light_area},
                            {"resolved", 1 - view->background},

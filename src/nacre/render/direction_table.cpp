@@ -164,7 +164,7 @@ template DirectionSample<float> DirectionTable::sample_at(Vec2f) const;
 template DirectionSample<FloatLanes> DirectionTable::sample_at(Vec2<FloatLanes>) const;
 
 template <class T>
-auto DirectionTable::cell_of(const Vec3<T>& direction) const {
+auto DirectionTable::cell_of(const Vec3<T>& direction) const -> decltype(whole(T{})) {
     const Vec2<T> square = to_square(direction);
     const auto below = [](const T& x, int count) {
         return min_lanes(whole(x * static_cast<float>(count)), whole(T{}) + (count - 1));
@@ -172,18 +172,14 @@ auto DirectionTable::cell_of(const Vec3<T>& direction) const {
     return below(square.y, rows_) * columns_ + below(square.x, columns_);
 }
 
-template <class T>
-T DirectionTable::pdf(const Vec3<T>& direction) const {
-    return gather(density_.data(), cell_of(direction)) * jacobian(direction);
-}
-template float DirectionTable::pdf(const Vec3f&) const;
-template FloatLanes DirectionTable::pdf(const Vec3Lanes&) const;
+template int DirectionTable::cell_of(const Vec3f&) const;
+template IntLanes DirectionTable::cell_of(const Vec3Lanes&) const;
 
-template <class T>
-T DirectionTable::brightness(const Vec3<T>& direction) const {
-    return gather(brightness_.data(), cell_of(direction));
+template <class Cell, class T>
+T DirectionTable::pdf_in(const Cell& cell, const Vec3<T>& direction) const {
+    return gather(density_.data(), cell) * jacobian(direction);
 }
-template float DirectionTable::brightness(const Vec3f&) const;
-template FloatLanes DirectionTable::brightness(const Vec3Lanes&) const;
+template float DirectionTable::pdf_in(const int&, const Vec3f&) const;
+template FloatLanes DirectionTable::pdf_in(const IntLanes&, const Vec3Lanes&) const;
 
 }  // namespace nacre::render

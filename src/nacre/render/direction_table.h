@@ -36,10 +36,23 @@ class DirectionTable {
     DirectionSample<float> sample(Vec2f u) const { return sample_at(u); }
     DirectionSample<FloatLanes> sample(Vec2<FloatLanes> u) const { return sample_at(u); }
     template <class T>
-    T pdf(const Vec3<T>& direction) const;
+    T pdf(const Vec3<T>& direction) const {
+        return pdf_in(cell_of(direction), direction);
+    }
     /// Of the cell, its mean.
     template <class T>
-    T brightness(const Vec3<T>& direction) const;
+    T brightness(const Vec3<T>& direction) const {
+        return brightness_in(cell_of(direction));
+    }
+    /// The same where the cell is known, as of tables with as many columns and rows.
+    template <class T>
+    auto cell_of(const Vec3<T>& direction) const -> decltype(whole(T{}));
+    template <class Cell, class T>
+    T pdf_in(const Cell& cell, const Vec3<T>& direction) const;
+    template <class Cell>
+    auto brightness_in(const Cell& cell) const {
+        return gather(brightness_.data(), cell);
+    }
     /// Mean of the brightness over the sphere.
     float mean_brightness() const { return mean_; }
 
@@ -52,8 +65,6 @@ class DirectionTable {
  private:
     template <class T>
     DirectionSample<T> sample_at(Vec2<T> u) const;
-    template <class T>
-    auto cell_of(const Vec3<T>& direction) const;
 
     int columns_, rows_;
     float mean_ = 0;

@@ -253,43 +253,41 @@ LocalSurface PathTracer::surface_at(const Hit& hit, Vec3f wi, const Branch& bran
 // it in some, which is noise.
 void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
                             const LocalSurface& surface) {
-    std::vector<bsdf::AskedFlake>& flakes = memory_.asked;
+    std::vector<bsdf::AskedFlakes>& flakes = memory_.asked;
     const std::array<float, PathSampler::kNumbers> u = sampler_.draw(kFlakeVertex);
     surface.bsdf.ask_flakes(*surface.patch, wi, static_cast<std::uint32_t>(u[0] * 0x1p24f) * 256u,
                             flakes);
     // Of each flake, if it reflects to where the surface does.
     std::vector<float>&brightness = memory_.brightness, &strength = memory_.strength;
-    brightness.assign(flakes.size(), 0.0f);
-    strength.assign(flakes.size(), 0.0f);
-    float answers = 0, strengths = 0;
+    brightness.resize(flakes.size() * kLanes);
+    strength.resize(flakes.size() * kLanes);
+    FloatLanes answers_by_lane{}, strengths_by_lane{}, of_flakes{};
     FloatLanes expected{};  // what all of them send, of light that is 1 at all wavelengths
-    for (std::size_t first = 0; first < flakes.size(); first += kLanes) {
-        const std::size_t count = std::min<std::size_t>(kLanes, flakes.size() - first);
-        const auto of_each = [&](auto&& member) {
-            return make_lanes([&](int lane) {
-                return member(flakes[first + std::min<std::size_t>(lane, count - 1)]);
-            });
-        };
-        using Flake = bsdf::AskedFlake;
-        const Vec3Lanes direction =
-            frame.to_world(Vec3Lanes{of_each([](const Flake& flake) { return flake.wo.x; }),
-                                     of_each([](const Flake& flake) { return flake.wo.y; }),
-                                     of_each([](const Flake& flake) { return flake.wo.z; })});
-        const FloatLanes pdf = of_each([](const Flake& flake) { return flake.pdf; });
+    for (std::size_t n = 0; n < flakes.size(); ++n) {
+        const Vec3Lanes direction = frame.to_world(flakes[n].wo);
         const FloatLanes light = scene_.lights->brightness(
             hit.position_mm, direction, [&](const LightPdfs<FloatLanes>& of_light) {
-                return weight(pdf, surface.narrow_light, 1.0f, of_light);
+                return weight(flakes[n].pdf, surface.narrow_light, 1.0f, of_light);
             });
         const IntLanes leaves = dot(direction, splat(hit.geometric_normal)) > 0.0f;
-        for (std::size_t lane = 0; lane < count; ++lane) {
-            if (!leaves[lane]) continue;
-            strength[first + lane] = flakes[first + lane].strength;
-            brightness[first + lane] = strength[first + lane] * light[lane];
-            answers += brightness[first + lane];
-            expected += brightness[first + lane] * flakes[first + lane].colour;
-            strengths += strength[first + lane];
-        }
+        const FloatLanes of_each = leaves ? flakes[n].strength : FloatLanes{};
+        // Not 0 times a light that is infinite.
+        const FloatLanes answer = of_each > 0.0f ? of_each * light : FloatLanes{};
+        store_lanes(&strength[n * kLanes], of_each);
+        store_lanes(&brightness[n * kLanes], answer);
+        answers_by_lane += answer;
+        strengths_by_lane += of_each;
+        // Directions of the same flakes follow each other.
+        of_flakes += answer;
+        const bool others_follow = n + 1 == flakes.size() ||
+                                   flakes[n + 1].first != flakes[n].first ||
+                                   flakes[n + 1].species != flakes[n].species;
+        if (!others_follow) continue;
+        for (int lane = 0; lane < kLanes; ++lane)
+            expected += of_flakes[lane] * flakes[n].colour[lane];
+        of_flakes = FloatLanes{};
     }
+    const float answers = lane_sum(answers_by_lane), strengths = lane_sum(strengths_by_lane);
     if (!(strengths > 0)) return;
     // Densities, in flakes, of both choices.
     const float blind = answers > 0 ? kBlind : 1.0f;
@@ -297,7 +295,7 @@ void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
     const auto by_strength = [&](std::size_t k) { return blind * strength[k] / strengths; };
     const auto follow_flake = [&](std::optional<Branch>& ray, std::size_t k, float density,
                                   float of_lights, float of_surfaces, std::uint32_t vertex) {
-        const bsdf::AskedFlake& flake = flakes[k];
+        const bsdf::AskedFlake flake = flakes[k / kLanes].flake(static_cast<int>(k % kLanes));
         const FloatLanes throughput =
             (surface.asked_weight / density) * surface.bsdf.flake_weight(*surface.patch, wi, flake);
         if (!(lane_max(throughput) > 0)) return;
@@ -316,8 +314,8 @@ void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
         // Flakes whose films differ have other colours: the one that is chosen would lend its own to all.
         // What is added has the mean 0, whatever the colours [veach-1997, section 2.5], and is of the light
         // that all lights have in common: where one has none, it would be noise.
-        path_.radiance +=
-            surface.asked_weight * pass_.common_colour * (expected - answers * flakes[*k].colour);
+        path_.radiance += surface.asked_weight * pass_.common_colour *
+                          (expected - answers * flakes[*k / kLanes].colour[*k % kLanes]);
         const float both = by_light(*k) + by_strength(*k);
         follow_flake(flake_, *k, by_light(*k), 1, by_light(*k) / both, kFlakeVertex);
     }

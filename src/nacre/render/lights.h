@@ -192,8 +192,13 @@ FloatLanes LightSet::brightness(Vec3f point_mm, const Vec3Lanes& direction,
                                 const Weight& weight) const {
     FloatLanes sum{};
     if (environment_) {
-        sum += weight(environment_pdf(direction)) *
-               max_lanes(alone_.environment->brightness(direction), splat(least_brightness_));
+        // Both tables have the same cells.
+        const IntLanes cell = alone_.environment->cell_of(direction);
+        const LightPdfs<FloatLanes> pdf{
+            beside_.environment_probability,
+            beside_.environment ? beside_.environment->pdf_in(cell, direction) : FloatLanes{}};
+        sum += weight(pdf) *
+               max_lanes(alone_.environment->brightness_in(cell), splat(least_brightness_));
     }
     if (sun_) {
         const LightPdfs<FloatLanes> pdf{beside_.sun.probability, splat(beside_.sun.density)};

@@ -306,7 +306,8 @@ void FacetField::count_leaf(const Footprint& footprint, const Cell& cell,
             const DoubleLanes v = __builtin_convertvector(place & kLow, DoubleLanes) * 0x1p-32;
             pass &= within.contains(u, v);
         }
-        for_each_set_lane(pass, [&](int lane) { candidates.add(bits[lane]); });
+        for_each_set_lane(__builtin_convertvector(pass, LaneMask),
+                          [&](int lane) { candidates.add(bits[lane]); });
     }
 }
 

@@ -46,7 +46,6 @@ FlakeField::FlakeField(const FlakePopulation& population, std::uint64_t seed)
     // A point resolves its flakes, unless too many lie over each other.
     constexpr float kFewestCells = 6, kMaxCells = 12;
     const float across = 1 + 2 * largest_radius_mm_ / static_cast<float>(levels_[0].cell_mm);
-    few_cells_ = std::clamp(1.1f * across * across, 4.0f, kMaxCells);
     full_cells_ = splat(std::clamp(1.5f * across * across, kFewestCells, kMaxCells));
     for (int i = 0; const float cells : Constants::kFinestCells) full_cells_[i++] = cells;
 }
@@ -74,7 +73,6 @@ FlakeField::Constants FlakeField::constants() const {
         out.full_cells[level] = full_cells_[level];
     }
     out.cumulative = cumulative_;
-    out.few_cells = few_cells_;
     out.inverse_cover = inverse_cover_;
     out.typical_radius = typical_radius_;
     out.max_widening = max_widening_;
@@ -123,17 +121,16 @@ FlakeField::Weights FlakeField::level_weights(const float* side_mm,
                                               const StandIns& stand_ins) const {
     /// Where a level has faded out, in terms of full_cells_.
     constexpr float kFaded = 2.3f;
-    const FloatLanes full_cells = stand_ins.few ? splat(few_cells_) : full_cells_;
     const FloatLanes cells = (1.0f + (side_mm[0] + 2 * largest_radius_mm_) * per_mm_) *
                              (1.0f + (side_mm[1] + 2 * largest_radius_mm_) * per_mm_);
     Weights weights;
-    if (cells[0] <= full_cells[0]) {  // every level: the most common case
+    if (cells[0] <= full_cells_[0]) {  // every level: the most common case
         weights.by_level = splat(1.0f);
         weights.resolved = 1;
         return weights;
     }
     const FloatLanes t = min_lanes(
-        max_lanes((kFaded - cells / full_cells) / (kFaded - 1), FloatLanes{}), splat(1.0f));
+        max_lanes((kFaded - cells / full_cells_) / (kFaded - 1), FloatLanes{}), splat(1.0f));
     // Squared, as a level gives way to the next, of a sixteenth of its density, near the end.
     const FloatLanes w = t * t;
     const float first = lane_sum(w * fraction_), second = lane_sum(w * w * fraction_);

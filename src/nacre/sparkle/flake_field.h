@@ -66,8 +66,6 @@ class FlakeField {
         /// lobes are widened as for light from one direction, and the contrast is that of this
         /// light; above, the contrast alone is lowered.
         float light_area = 0;
-        /// Whether every flake on a point must be resolved rather than few be looked for.
-        bool few = false;
     };
     /// Replaces `view` by what the patch shows.
     void look(const ObjectSpaceFootprint& patch, FlakeView& view, const StandIns& stand_ins) const;
@@ -90,9 +88,9 @@ class FlakeField {
         static constexpr int kSideBits = 2;  ///< the sides of the cells double as often from level
                                              ///< to level
         static constexpr int kMaxFlakesPerCell = 24;
-        /// Of full_cells, from the finest level: to look whether a flake mirrors a light costs so little that
-        /// a picture in the sun may show those that are there where it could show as many that stand for
-        /// them. Each has faded before the next begins to.
+        /// Of full_cells, from the finest level: to look whether a flake mirrors a light, or to ask for it,
+        /// costs so little that a picture may show those that are there where it could show as many that
+        /// stand for them. Each has faded before the next begins to.
         static constexpr std::array<float, 2> kFinestCells{40, 12};
         std::array<double, kLevels> cell_mm;              ///< side of the cells, by level
         std::array<std::uint64_t, kLevels> key;           ///< of their hashes
@@ -100,7 +98,6 @@ class FlakeField {
         std::array<float, kMaxFlakesPerCell> cumulative;  ///< probability of at most n in a cell
         std::array<float, kLevels>
             full_cells;        ///< a level begins to fade where a patch touches so many cells
-        float few_cells;       ///< the same of all levels where flakes are asked one by one
         float inverse_cover;   ///< 1 / (density x mean area)
         float typical_radius;  ///< FlakeView::typical_radius
         float max_widening;    ///< of FlakeView::widening
@@ -160,7 +157,6 @@ class FlakeField {
     std::array<float, kMaxFlakesPerCell> cumulative_;
     /// A level begins to fade out where the patch touches this many of its cells.
     FloatLanes full_cells_;
-    float few_cells_;  // the same of all levels where flakes are asked one by one
     float alpha_, largest_radius_mm_, smallest_radius_mm_;
     float inverse_cover_;   // 1 / (density x mean area)
     float typical_radius_;  // FlakeView::typical_radius

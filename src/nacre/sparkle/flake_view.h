@@ -94,15 +94,19 @@ struct FlakeView {
                                                     lobe.spread2(coat_spread2));
     }
 
-    /// Slopes of half vectors near those of eight flakes, one each, with their densities. The lobes
-    /// are those that are evaluated, but for the radius, which is that at the flake's own slope.
-    struct LobeSamples {
-        FloatLanes x, y, pdf;
+    /// The lobes of eight flakes, by slopes of half vectors: those that are evaluated, but for the radius,
+    /// which is that at the flake's own slope.
+    struct Lobes {
+        FloatLanes x, y, radius;
+        /// Slopes near those of the flakes, one each, with their densities.
+        struct Samples {
+            FloatLanes x, y, pdf;
+        };
+        /// @param u  independent from lane to lane: in [0, 1) how far from the flake's own, and turns about it
+        Samples sample(const Vec2<FloatLanes>& u) const;
     };
     /// @param first  of the eight, a multiple of kLanes
-    /// @param u      independent from lane to lane: in [0, 1) how far from the flake's own, and turns about it
-    LobeSamples sample_lobes(const DiffractionLobe& lobe, Vec3f wi, int first,
-                             const Vec2<FloatLanes>& u) const;
+    Lobes lobes(const DiffractionLobe& lobe, Vec3f wi, int first) const;
 
     /// The density of one of them, per unit square of slopes.
     float lobe_pdf(const DiffractionLobe& lobe, Vec3f wi, int flake, Vec2f slope) const;
@@ -195,15 +199,17 @@ inline Vec2f FlakeView::sample_slope(const DiffractionLobe& lobe, Vec3f wi, floa
     return {x + r * std::cos(angle), y + r * std::sin(angle)};
 }
 
-inline FlakeView::LobeSamples FlakeView::sample_lobes(const DiffractionLobe& lobe, Vec3f wi,
-                                                      int first, const Vec2<FloatLanes>& u) const {
+inline FlakeView::Lobes FlakeView::lobes(const DiffractionLobe& lobe, Vec3f wi, int first) const {
     const FloatLanes x = load_lanes(&slope_x[first]), y = load_lanes(&slope_y[first]);
-    const FloatLanes width = own_radius(lobe, wi, x, y, load_lanes(&lobe_radius[first]));
+    return {x, y, own_radius(lobe, wi, x, y, load_lanes(&lobe_radius[first]))};
+}
+
+inline FlakeView::Lobes::Samples FlakeView::Lobes::sample(const Vec2<FloatLanes>& u) const {
     // The inverse of 1 - (1 - t)^3, the distribution of t = r^2/w^2.
     const FloatLanes fall = exp_lanes(log_lanes(1.0f - u.x) * (1.0f / 3));
-    const FloatLanes r = width * sqrt_lanes(max_lanes(1.0f - fall, FloatLanes{}));
+    const FloatLanes r = radius * sqrt_lanes(max_lanes(1.0f - fall, FloatLanes{}));
     const auto wave = cos_sin_turns(u.y);
-    const FloatLanes inverse = 1.0f / max_lanes(width * width, splat(1e-30f));
+    const FloatLanes inverse = 1.0f / max_lanes(radius * radius, splat(1e-30f));
     return {x + r * wave.cosine, y + r * wave.sine,
             3 * std::numbers::inv_pi_v<float> * inverse * fall * fall};
 }

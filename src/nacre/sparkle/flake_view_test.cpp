@@ -12,8 +12,7 @@ namespace nacre::sparkle {
 namespace {
 
 /// Flakes on a square patch, on average over places.
-/// @param few  FlakeField::StandIns
-double mean_count(const FlakeField& field, double side_mm, bool tilted, bool few, FlakeView& view) {
+double mean_count(const FlakeField& field, double side_mm, bool tilted, FlakeView& view) {
     constexpr int kPatches = 60;
     const auto side = static_cast<float>(side_mm);
     ObjectSpaceFootprint patch;
@@ -27,7 +26,7 @@ double mean_count(const FlakeField& field, double side_mm, bool tilted, bool few
     for (int i = 0; i < kPatches; ++i) {
         const auto n = static_cast<float>(i);
         patch.position_mm = {7.3f * n * side, -3.1f * n * side, 3};
-        field.look(patch, view, {.few = few});
+        field.look(patch, view);
         sum += view.count;
     }
     return sum / kPatches;
@@ -45,9 +44,7 @@ TEST(FlakeView, HasRoomForEveryFlakeThatAPatchTouches) {
                                 1e-3 * population.diameter_um;
             if (side <= 0) continue;
             for (const bool tilted : {false, true}) {
-                for (const bool few : {false, true}) {
-                    most = std::max(most, mean_count(field, side, tilted, few, *view));
-                }
+                most = std::max(most, mean_count(field, side, tilted, *view));
             }
         }
     }

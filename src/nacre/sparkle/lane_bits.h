@@ -4,6 +4,7 @@
 #include <immintrin.h>
 #endif
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -60,6 +61,16 @@ inline FloatLanes gather_lanes(const float* table, UintLanes index) {
 #endif
 }
 
+/// eight[at] in each lane.
+inline FloatLanes pick_lanes(const FloatLanes& eight, const IntLanes& at) {
+#ifdef __AVX2__
+    return std::bit_cast<FloatLanes>(
+        _mm256_permutevar8x32_ps(std::bit_cast<__m256>(eight), std::bit_cast<__m256i>(at)));
+#else
+    return make_lanes([&](int i) { return eight[at[i]]; });
+#endif
+}
+
 /// The upper 31 of each lane's bits as a number in (0, 1).
 inline FloatLanes unit_fraction(UintLanes bits) {
     return (__builtin_convertvector(std::bit_cast<LaneMask>(bits >> 1), FloatLanes) + 0.5f) *
@@ -74,56 +85,74 @@ inline FloatLanes upper_half(UintLanes bits) {
     return __builtin_convertvector(std::bit_cast<LaneMask>(bits >> 16), FloatLanes);
 }
 
-/// Calls visit(lane) for each lane whose bits are set; one test where none is.
-template <class Mask, class Visit>
-inline void for_each_set_lane(const Mask& mask, Visit&& visit) {
-    using ByteLanes = signed char __attribute__((vector_size(kLanes)));
-    constexpr ByteLanes kOne = {1, 1, 1, 1, 1, 1, 1, 1};
-    // One byte a lane, so that nothing is done for those that are not set.
-    const ByteLanes bytes = __builtin_convertvector(mask, ByteLanes) & kOne;
-    std::uint64_t bits;
-    std::memcpy(&bits, &bytes, sizeof bits);
-    for (; bits != 0; bits &= bits - 1) visit(std::countr_zero(bits) / 8);
+/// One bit a lane, the first lowest.
+inline unsigned set_lanes(const LaneMask& mask) {
+#ifdef __AVX2__
+    return static_cast<unsigned>(_mm256_movemask_ps(std::bit_cast<__m256>(mask)));
+#else
+    unsigned bits = 0;
+    for (int lane = 0; lane < kLanes; ++lane) bits |= (mask[lane] & 1u) << lane;
+    return bits;
+#endif
 }
 
-/// Moves the set lanes of several vectors together at their beginning: with AVX-512 without a
-/// branch, which would be mispredicted.
+/// Calls visit(lane) for each lane whose bits are set.
+template <class Visit>
+inline void for_each_set_lane(const LaneMask& mask, Visit&& visit) {
+    for (unsigned bits = set_lanes(mask); bits != 0; bits &= bits - 1)
+        visit(std::countr_zero(bits));
+}
+
+namespace detail {
+
+// By the bits of set_lanes(): the lanes that are set, one a byte, the first lowest.
+inline constexpr std::array<std::uint64_t, 1 << kLanes> kSetLanes = [] {
+    std::array<std::uint64_t, 1 << kLanes> lanes{};
+    for (unsigned bits = 0; bits < lanes.size(); ++bits) {
+        int count = 0;
+        for (unsigned rest = bits; rest != 0; rest &= rest - 1)
+            lanes[bits] |= static_cast<std::uint64_t>(std::countr_zero(rest)) << (8 * count++);
+    }
+    return lanes;
+}();
+
+}  // namespace detail
+
+/// Moves the set lanes of several vectors together at their beginning, without a branch, which would
+/// be mispredicted.
 class LanePacker {
  public:
-    explicit LanePacker(const LaneMask& mask) {
-#ifdef __AVX512VL__
-        mask_ = _mm256_movepi32_mask(std::bit_cast<__m256i>(mask));
-        count_ = std::popcount(static_cast<unsigned>(mask_));
-#else
-        for_each_set_lane(mask, [&](int lane) { lane_[count_++] = lane; });
+    explicit LanePacker(const LaneMask& mask)
+        : bits_(set_lanes(mask)),
+          count_(std::popcount(bits_))
+#ifdef __AVX2__
+          ,
+          lanes_(_mm256_cvtepu8_epi32(
+              _mm_cvtsi64_si128(static_cast<long long>(detail::kSetLanes[bits_]))))
 #endif
+    {
     }
     int count() const { return count_; }
 
     /// Writes count() numbers; those after them, up to eight, may be overwritten.
-    void store(float* out, FloatLanes v) const {
-#ifdef __AVX512VL__
-        store_lanes(out, std::bit_cast<FloatLanes>(
-                             _mm256_maskz_compress_ps(mask_, std::bit_cast<__m256>(v))));
+    void store(float* out, const FloatLanes& v) const { store_lanes(out, packed(v)); }
+    void store(std::uint32_t* out, const UintLanes& v) const { store_lanes(out, packed(v)); }
+
+ private:
+    template <class V>
+    V packed(const V& v) const {
+#ifdef __AVX2__
+        return std::bit_cast<V>(_mm256_permutevar8x32_epi32(std::bit_cast<__m256i>(v), lanes_));
 #else
-        for (int i = 0; i < count_; ++i) out[i] = v[lane_[i]];
-#endif
-    }
-    void store(std::uint32_t* out, UintLanes v) const {
-#ifdef __AVX512VL__
-        store_lanes(out, std::bit_cast<UintLanes>(
-                             _mm256_maskz_compress_epi32(mask_, std::bit_cast<__m256i>(v))));
-#else
-        for (int i = 0; i < count_; ++i) out[i] = v[lane_[i]];
+        const std::uint64_t lanes = detail::kSetLanes[bits_];
+        return make_lanes<V>([&](int i) { return v[lanes >> (8 * i) & 7]; });
 #endif
     }
 
- private:
-    int count_ = 0;
-#ifdef __AVX512VL__
-    __mmask8 mask_;
-#else
-    int lane_[kLanes];
+    unsigned bits_;
+    int count_;
+#ifdef __AVX2__
+    __m256i lanes_;
 #endif
 };
 

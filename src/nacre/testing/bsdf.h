@@ -198,4 +198,17 @@ inline Drawn expect_own_density_and_weight(const BoundBsdf& bound, int samples, 
     return drawn;
 }
 
+/// The flakes of a patch that a surface asks, one by one.
+inline std::vector<AskedFlake> asked_flakes(const BoundBsdf& surface, const Patch& patch, Vec3f wi,
+                                            std::uint32_t random) {
+    std::vector<AskedFlakes> groups;
+    surface.ask_flakes(patch, wi, random, groups);
+    std::vector<AskedFlake> flakes;
+    for (const AskedFlakes& group : groups) {
+        for (int lane = 0; lane < kLanes; ++lane)
+            if (group.strength[lane] > 0) flakes.push_back(group.flake(lane));
+    }
+    return flakes;
+}
+
 }  // namespace nacre::bsdf

@@ -102,7 +102,7 @@ constexpr int kOverlapIntervals = 512;
 std::span<const float> overlap_table() {
     static const std::vector<float> table = [] {
         std::vector<float> values;
-        for (int n = 0; n <= kOverlapIntervals; ++n) {
+        for (int n = 0; n <= kOverlapIntervals + 1; ++n) {
             values.push_back(
                 static_cast<float>(disc_overlap_integral(n / double{kOverlapIntervals})));
         }
@@ -113,11 +113,12 @@ std::span<const float> overlap_table() {
 
 }  // namespace
 
-inline float HotSpot::overlap(float x) const {
-    const float at = x * kOverlapIntervals;
-    if (!(at < kOverlapIntervals)) return overlap_[kOverlapIntervals];
-    const int n = static_cast<int>(at);
-    return overlap_[n] + (at - n) * (overlap_[n + 1] - overlap_[n]);
+template <class T>
+inline T HotSpot::overlap(const T& x) const {
+    const T at = min_lanes(x * kOverlapIntervals, T{} + kOverlapIntervals);
+    const auto n = whole(at);
+    const T before = gather(overlap_.data(), n);
+    return before + (at - to_float(n)) * (gather(overlap_.data() + 1, n) - before);
 }
 
 HotSpot::HotSpot(const HotSpotTables& tables, const std::array<WavelengthPosition, kLanes>& where)
@@ -164,11 +165,11 @@ void HotSpot::Pair::for_each_species(std::size_t layer, Add&& add) const {
         const float over_top = h.top_um_[layer] - h.top_um_[s.layer];
         const float within = s.layer == layer ? 0.0f : h.thickness_um_[s.layer];
         const float step = spread_ / s.diameter_um;
-        add(i_->look_up(s.coupling) * o_->look_up(s.coupling), [=, &h](float u) {
-            const float far = u * h.thickness_um_[layer] + over_top;
-            const float near = within > 0 ? far - within : 0.0f;
-            const float shared = h.overlap(far * step);
-            return (near > 0 ? shared - h.overlap(near * step) : shared) / step;
+        add(i_->look_up(s.coupling) * o_->look_up(s.coupling), [=, &h](const auto& u) {
+            const auto far = u * h.thickness_um_[layer] + over_top;
+            const auto shared = h.overlap(far * step);
+            if (!(within > 0)) return shared / step;
+            return (shared - h.overlap((far - within) * step)) / step;
         });
     }
 }
@@ -179,6 +180,14 @@ FloatLanes HotSpot::Pair::gain(std::size_t layer, float u) const {
         sum += coupling * length_um(u);
     });
     return sum;
+}
+
+void HotSpot::Pair::add_gains(std::size_t layer, const FloatLanes& u,
+                              std::array<FloatLanes, kLanes>& sums) const {
+    for_each_species(layer, [&](const FloatLanes& coupling, auto&& length_um) {
+        const FloatLanes shared_um = length_um(u);
+        for (int lane = 0; lane < kLanes; ++lane) sums[lane] += coupling * shared_um[lane];
+    });
 }
 
 FloatLanes HotSpot::Pair::mean(std::size_t layer, const FloatLanes& depth) const {
@@ -193,7 +202,7 @@ FloatLanes HotSpot::Pair::mean(std::size_t layer, const FloatLanes& depth) const
                             &many = unit_gauss_legendre(kMaxNodes);
     const Quadrature& rule = deepest < 2 ? few : deepest < 8 ? some : many;
     const std::size_t count = rule.nodes.size();
-    std::array<float, kMaxNodes> fraction, shared_um;
+    std::array<float, kMaxNodes + kLanes> fraction{};
     std::array<FloatLanes, kMaxNodes> exponent;
     for (std::size_t n = 0; n < count; ++n) {
         // In the root of the depth, as most comes from near the top.
@@ -201,9 +210,11 @@ FloatLanes HotSpot::Pair::mean(std::size_t layer, const FloatLanes& depth) const
         exponent[n] = -safe * fraction[n];
     }
     for_each_species(layer, [&](const FloatLanes& coupling, auto&& length_um) {
-        // Apart: look-ups between products of lanes would send these to memory and back.
-        for (std::size_t n = 0; n < count; ++n) shared_um[n] = length_um(fraction[n]);
-        for (std::size_t n = 0; n < count; ++n) exponent[n] += coupling * shared_um[n];
+        for (std::size_t first = 0; first < count; first += kLanes) {
+            const FloatLanes shared_um = length_um(load_lanes(&fraction[first]));
+            for (std::size_t n = first; n < std::min(count, first + kLanes); ++n)
+                exponent[n] += coupling * shared_um[n - first];
+        }
     });
     FloatLanes sum{};
     for (std::size_t n = 0; n < count; ++n) {

@@ -84,6 +84,9 @@ class HotSpot {
         Pair(const HotSpot& hot_spot, const Ray& i, const Ray& o);
         /// ln of the attenuation over exp(-kappa z), at the fraction u of the layer's thickness.
         FloatLanes gain(std::size_t layer, float u) const;
+        /// Adds it to sums[lane], at the fraction u[lane] each.
+        void add_gains(std::size_t layer, const FloatLanes& u,
+                       std::array<FloatLanes, kLanes>& sums) const;
         /// The mean of the attenuation over that of exp(-kappa z), for a layer whose optical depth
         /// along both directions is `depth`.
         FloatLanes mean(std::size_t layer, const FloatLanes& depth) const;
@@ -123,13 +126,14 @@ class HotSpot {
         std::vector<FloatLanes> coupling;  // by direction
     };
     // disc_overlap_integral() to 1e-6.
-    float overlap(float x) const;
+    template <class T>
+    T overlap(const T& x) const;
 
     std::vector<Species> species_;
     std::vector<float> top_um_, thickness_um_;
     std::vector<FloatLanes> ground_, closing_, returned_;  // by direction, or empty
     sparkle::CoatTilt coat_;
-    std::span<const float> overlap_;  // disc_overlap_integral() at even x, 0 to 1
+    std::span<const float> overlap_;  // disc_overlap_integral() at even x, 0 to 1 and once more
 };
 
 }  // namespace nacre::bsdf

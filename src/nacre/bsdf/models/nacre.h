@@ -140,7 +140,7 @@ class BoundNacre final : public BoundMicroflake {
     float narrow_light(Vec3f wi) const override;
     CoatChange coat_change(Vec3f wi, Vec3f wo, float deviation) const override;
     void ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
-                    std::vector<AskedFlake>& list) const override;
+                    std::vector<AskedFlakes>& list) const override;
     FloatLanes flake_weight(const Patch& patch, Vec3f wi, const AskedFlake& flake) const override;
     FloatLanes flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float pdf) const override;
 
@@ -180,44 +180,45 @@ class BoundNacre final : public BoundMicroflake {
     FloatLanes relative_attenuation(std::size_t species, std::size_t layer,
                                     const sparkle::FlakeView& view, int flake, float cosine,
                                     const FloatLanes& depth, const HotSpot::Pair* pair) const;
+    // The same of up to eight flakes, from a multiple of kLanes on.
+    void relative_attenuations(std::size_t species, std::size_t layer,
+                               const sparkle::FlakeView& view, int first, int count,
+                               const FloatLanes& cosine, const FloatLanes& depth,
+                               const HotSpot::Pair* pair,
+                               std::array<FloatLanes, kLanes>& attenuations) const;
     // What is seen along w_i of flakes of one species, each of which mirrors it up into w_o: a guess,
     // by sqrt(1 - cos theta) outside at even steps, which are nearly even angles.
     struct SeenFlakes {
-        static constexpr int kIntervals = 12;
-        static constexpr int kNodes = kIntervals + 1;
-        template <class T>
-        using ByCosine = std::array<T, kNodes>;
-        static float cosine(int node) {
-            const float x = static_cast<float>(node) / kIntervals;
+        static constexpr int kEyeIntervals = 12, kIntervals = kLanes - 1;  // of w_i, and of w_o
+        using ByEye = std::array<FloatLanes, kEyeIntervals + 1>;
+        static float cosine(int node, int intervals) {
+            const float x = static_cast<float>(node) / static_cast<float>(intervals);
             return std::max(1 - x * x, 0.02f);
         }
-        /// Between the nodes of tables by cosine.
+        /// Between the nodes of tables by cosine: one place, or eight.
+        template <class Cosine>
         struct Place {
-            int node;
-            float fraction;
-            explicit Place(float cosine) {
-                const float x = kIntervals * std::sqrt(std::max(1 - cosine, 0.0f));
-                node = std::min(static_cast<int>(x), kIntervals - 1);
-                fraction = x - static_cast<float>(node);
+            decltype(whole(Cosine{})) node;
+            Cosine fraction;
+            Place(const Cosine& cosine, int intervals) {
+                const Cosine x =
+                    static_cast<float>(intervals) * sqrt_lanes(max_lanes(1 - cosine, Cosine{}));
+                node = min_lanes(whole(x), whole(Cosine{}) + (intervals - 1));
+                fraction = x - to_float(node);
             }
-            template <class T>
-            T in(const ByCosine<T>& table) const {
+            FloatLanes in(const ByEye& table) const {
                 return table[node] + fraction * (table[node + 1] - table[node]);
+            }
+            /// Of a table whose nodes are lanes.
+            FloatLanes in(const FloatLanes& table) const {
+                const FloatLanes before = sparkle::pick_lanes(table, node);
+                return before + fraction * (sparkle::pick_lanes(table, node + 1) - before);
             }
         };
         /// By cosine of w_i, with nothing in its layer above the flake, for w_o of typical_mirrored().
-        ByCosine<FloatLanes> light{};
-        /// By cosines of w_i and w_o: with what lies above the mean flake, over that for that w_o.
-        ByCosine<ByCosine<float>> relative{};
-        /// By cosine of w_o alone.
-        ByCosine<float> towards(const Place& wi) const {
-            ByCosine<float> row;
-            for (int o = 0; o < kNodes; ++o) {
-                row[o] = relative[wi.node][o] +
-                         wi.fraction * (relative[wi.node + 1][o] - relative[wi.node][o]);
-            }
-            return row;
-        }
+        ByEye light{};
+        /// By cosines of w_i and, in lanes, of w_o: with what lies above the mean flake, over that for that w_o.
+        ByEye relative{};
     };
     // Where a flake mirrors w_i that leans sideways as far as half of them do; if it mirrors it down or
     // back into the coat, as one that lies flat. There the hot spot is as it is for most of them.

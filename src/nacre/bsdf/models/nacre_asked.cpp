@@ -52,8 +52,8 @@ BoundNacre::SeenFlakes BoundNacre::seen_flakes(std::size_t species) const {
                     lobe.slope_density(half.slope2) * half.per_solid_angle * solid_angle_ratio(o)};
     };
     SeenFlakes seen;
-    for (int a = 0; a < SeenFlakes::kNodes; ++a) {
-        const float cosine_i = SeenFlakes::cosine(a);
+    for (int a = 0; a <= SeenFlakes::kEyeIntervals; ++a) {
+        const float cosine_i = SeenFlakes::cosine(a, SeenFlakes::kEyeIntervals);
         const Ray i = make_ray({std::sqrt(1 - cosine_i * cosine_i), 0, cosine_i});
         const Ray typical = typical_mirrored(species, i);
         const Sent bare = sent(i, typical, true), covered = sent(i, typical, false);
@@ -61,9 +61,10 @@ BoundNacre::SeenFlakes BoundNacre::seen_flakes(std::size_t species) const {
         if (!(covered_light > 0)) continue;
         seen.light[a] = bare.light;
         // Outwards from as steep as w_i; beyond the last flakes as there.
-        SeenFlakes::ByCosine<float>& relative = seen.relative[a];
+        FloatLanes& relative = seen.relative[a];
         const auto fill = [&](int b, int before) {
-            const float cosine = SeenFlakes::cosine(b), sine = std::sqrt(1 - cosine * cosine);
+            const float cosine = SeenFlakes::cosine(b, SeenFlakes::kIntervals),
+                        sine = std::sqrt(1 - cosine * cosine);
             // In directions half around from where a flake that lies flat mirrors w_i.
             constexpr int kAzimuths = 3;
             float light = 0, flakes = 0;
@@ -78,14 +79,16 @@ BoundNacre::SeenFlakes BoundNacre::seen_flakes(std::size_t species) const {
             relative[b] = flakes > 0 ? std::max(light / (flakes * covered_light), kLeastSeen)
                                      : relative[before];
         };
-        for (int b = a; b >= 0; --b) fill(b, b + 1);
-        for (int b = a + 1; b < SeenFlakes::kNodes; ++b) fill(b, b - 1);
+        constexpr int kLast = SeenFlakes::kIntervals;
+        const int steep = a * kLast / SeenFlakes::kEyeIntervals;
+        for (int b = steep; b >= 0; --b) fill(b, std::min(b + 1, kLast));
+        for (int b = steep + 1; b <= kLast; ++b) fill(b, b - 1);
     }
     return seen;
 }
 
 void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
-                            std::vector<AskedFlake>& list) const {
+                            std::vector<AskedFlakes>& list) const {
     list.clear();
     constexpr UintLanes kNumber = {1, 2, 3, 4, 5, 6, 7, 8};
     // Directions of one flake are a lattice, shifted at random [cranley-patterson-1976].
@@ -93,7 +96,7 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
     if (wi.z <= 0) return;
     const Look look(*this, patch, wi);
     const Ray i = make_ray(wi);
-    const SeenFlakes::Place place(wi.z);
+    const SeenFlakes::Place place(wi.z, SeenFlakes::kEyeIntervals);
     std::size_t layer = 0;
     for (std::size_t s = 0; s < tables_->species.size(); ++s) {
         while (layer + 1 < tables_->first_species.size() && tables_->first_species[layer + 1] <= s)
@@ -103,7 +106,7 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
         const FloatLanes depth = depth_there_and_back(layer, i);
         const SeenFlakes& flakes = seen_flakes_[s];
         const FloatLanes light = place.in(flakes.light);
-        const auto relative = flakes.towards(place);
+        const FloatLanes relative = place.in(flakes.relative);
         // What lies above each of them as if the light came from there: that it comes from elsewhere
         // changes all nearly alike.
         const Ray typical = typical_mirrored(s, i);
@@ -112,18 +115,22 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
         const auto directions = static_cast<float>(species.directions);
         for (int first = 0; first < view.count; first += kLanes) {
             const int last = std::min(kLanes, view.count - first);
-            FloatLanes strength{};
-            std::array<FloatLanes, kLanes> colour;
+            const auto lobes = view.lobes(species.field.lobe(), i.inside, first);
+            const FloatLanes facing = i.inside.x * lobes.x + i.inside.y * lobes.y + i.inside.z;
+            const FloatLanes cosine = (facing < 0.0f ? -facing : facing) /
+                                      sqrt_lanes(1.0f + lobes.x * lobes.x + lobes.y * lobes.y);
+            // Of each flake, at eight wavelengths.
+            std::array<FloatLanes, kLanes> colour{};
+            relative_attenuations(s, layer, view, first, last, cosine, depth,
+                                  pair ? &*pair : nullptr, colour);
+            FloatLanes luminance{};
             for (int lane = 0; lane < last; ++lane) {
-                const int k = first + lane;
-                const Vec3f normal = normalize(Vec3f{view.slope_x[k], view.slope_y[k], 1});
-                const FloatLanes seen =
-                    light * relative_attenuation(s, layer, view, k, std::abs(dot(i.inside, normal)),
-                                                 depth, pair ? &*pair : nullptr);
-                const float luminance = lane_sum(eye_ * seen);
-                strength[lane] = view.weight[k] * luminance;
-                colour[lane] = luminance > 0 ? seen / luminance : FloatLanes{};
+                colour[lane] *= light;
+                luminance[lane] = lane_sum(eye_ * colour[lane]);
             }
+            const FloatLanes strength = load_lanes(&view.weight[first]) * luminance;
+            const FloatLanes per_luminance = luminance > 0.0f ? 1 / luminance : FloatLanes{};
+            for (int lane = 0; lane < last; ++lane) colour[lane] *= per_luminance[lane];
             const auto bits = hash_of(random, s, first);
             const UintLanes by_flake =
                 mix_bits_32(static_cast<std::uint32_t>(bits) +
@@ -132,8 +139,7 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
                 const auto n = static_cast<float>(direction);
                 const FloatLanes u = sparkle::lower_half(by_flake) * 0x1p-16f + n / directions;
                 const FloatLanes turns = sparkle::upper_half(by_flake) * 0x1p-16f + n * kGolden;
-                const auto half = view.sample_lobes(species.field.lobe(), i.inside, first,
-                                                    {u < 1.0f ? u : u - 1.0f, turns});
+                const auto half = lobes.sample({u < 1.0f ? u : u - 1.0f, turns});
                 // The mirror image of w_i in a plane of this slope, and its refraction out.
                 const FloatLanes sec2 = 1.0f + half.x * half.x + half.y * half.y;
                 const FloatLanes twice =
@@ -147,15 +153,16 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
                 const FloatLanes pdf = directions * half.pdf * (0.5f * sec2 / (i.inside.z + z)) *
                                        oz / (z * (mean_ior() * mean_ior()));
                 const auto leaves = (oz2 > 1e-6f) & (z > 0.0f) & (pdf > 0.0f) & (strength > 0.0f);
-                for (int lane = 0; lane < last; ++lane) {
-                    if (!leaves[lane]) continue;
-                    list.push_back({{ox[lane], oy[lane], oz[lane]},
-                                    pdf[lane],
-                                    strength[lane] * SeenFlakes::Place(oz[lane]).in(relative),
-                                    static_cast<int>(s),
-                                    first + lane,
-                                    colour[lane]});
-                }
+                const FloatLanes seen =
+                    strength * SeenFlakes::Place(oz, SeenFlakes::kIntervals).in(relative);
+                if (!any(leaves)) continue;
+                AskedFlakes& asked = list.emplace_back();
+                asked.wo = {ox, oy, oz};
+                asked.pdf = pdf;
+                asked.strength = leaves ? seen : FloatLanes{};
+                asked.colour = colour;
+                asked.species = static_cast<int>(s);
+                asked.first = first;
             }
         }
     }

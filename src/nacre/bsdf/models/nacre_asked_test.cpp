@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "nacre/bsdf/wavelength_lanes.h"
+#include "nacre/testing/bsdf.h"
 #include "nacre/testing/nacre_model.h"
 #include "nacre/testing/statistics.h"
 
@@ -65,8 +66,8 @@ TEST(NacreAsked, LobesReflectWhatTheirFlakesDo) {
         int most = 0;
         for (int n = 0; n < 40000; ++n) {
             const Patch patch = apart(rng, side_of_flakes(4));
-            std::vector<AskedFlake> flakes;
-            model.bound->ask_flakes(patch, wi, static_cast<std::uint32_t>(n) * 977u, flakes);
+            const std::vector<AskedFlake> flakes =
+                asked_flakes(*model.bound, patch, wi, static_cast<std::uint32_t>(n) * 977u);
             const int count = static_cast<int>(flakes.size());
             most = std::max(most, count);
             double sum = 0;
@@ -114,11 +115,10 @@ TEST(NacreAsked, TheGuessIsWhatTheFlakesReflect) {
             Rng rng(8, 1);
             double guessed = 0, reflected = 0, squares = 0;
             FloatLanes missed{}, in_all{};  // squares of what colours miss, and of what there is
-            std::vector<AskedFlake> flakes;
             for (int n = 0; n < 500; ++n) {
                 const Patch patch = apart(rng, side_mm);
-                model.bound->ask_flakes(patch, wi, static_cast<std::uint32_t>(n) * 977u, flakes);
-                for (const AskedFlake& flake : flakes) {
+                for (const AskedFlake& flake :
+                     asked_flakes(*model.bound, patch, wi, static_cast<std::uint32_t>(n) * 977u)) {
                     const FloatLanes weight = model.bound->flake_weight(patch, wi, flake);
                     const double light = lane_sum(response_of_eye(kOnGrid) * weight);
                     const FloatLanes miss = weight - static_cast<float>(light) * flake.colour;
@@ -153,8 +153,8 @@ TEST(NacreAsked, WeighedWaysAddUp) {
         Sample alone, both;
         for (int n = 0; n < 20000; ++n) {
             const Patch patch = apart(rng, side_of_flakes(4));
-            std::vector<AskedFlake> flakes;
-            model.bound->ask_flakes(patch, wi, static_cast<std::uint32_t>(n) * 977u, flakes);
+            const std::vector<AskedFlake> flakes =
+                asked_flakes(*model.bound, patch, wi, static_cast<std::uint32_t>(n) * 977u);
             const int count = static_cast<int>(flakes.size());
             double unweighed = 0, weighed = 0;
             for (int k = 0; k < count; ++k) {
@@ -183,8 +183,8 @@ TEST(NacreAsked, FlakesOfManySpeciesAreAllAsked) {
     }
     const SparklingModel model(paint_of(std::move(species)));
     Rng rng(2, 1);
-    std::vector<AskedFlake> flakes;
-    model.bound->ask_flakes(apart(rng, 0.1), direction(30, 20), 1, flakes);
+    const std::vector<AskedFlake> flakes =
+        asked_flakes(*model.bound, apart(rng, 0.1), direction(30, 20), 1);
     EXPECT_GT(flakes.size(), 512u);
     std::vector<int> by_species(kSpecies);
     for (const AskedFlake& flake : flakes) ++by_species[flake.species];

@@ -40,8 +40,7 @@ BoundNacre::Look::Look(const BoundNacre& surface, const Patch& patch, Vec3f wi)
             continue;
         }
         const sparkle::FlakeField::StandIns stand_ins{
-            narrow ? std::min(1.0f, surface.slope_density(s, wi) / patch.narrow_light) : kWide,
-            !narrow};
+            narrow ? std::min(1.0f, surface.slope_density(s, wi) / patch.narrow_light) : kWide};
         if (patch.flakes == Patch::Flakes::apart) {
             field.look(patch.footprint, view, stand_ins);
         } else {
@@ -96,6 +95,27 @@ FloatLanes BoundNacre::relative_attenuation(std::size_t species, std::size_t lay
     const FloatLanes attenuation = exp_lanes(exponent);
     return films_[species].vary() ? attenuation * films_[species].ratio(cosine, body.film)
                                   : attenuation;
+}
+
+void BoundNacre::relative_attenuations(std::size_t species, std::size_t layer,
+                                       const sparkle::FlakeView& view, int first, int count,
+                                       const FloatLanes& cosine, const FloatLanes& depth,
+                                       const HotSpot::Pair* pair,
+                                       std::array<FloatLanes, kLanes>& attenuations) const {
+    UintLanes film{};
+    FloatLanes at{};
+    for (int lane = 0; lane < count; ++lane) {
+        const sparkle::FlakeView::Body body = view.body(first + lane);
+        at[lane] = body.depth;
+        film[lane] = body.film;
+    }
+    for (int lane = 0; lane < kLanes; ++lane) attenuations[lane] = -at[lane] * depth;
+    if (pair) pair->add_gains(layer, at, attenuations);
+    const BoundFlakeFilms& films = films_[species];
+    for (int lane = 0; lane < count; ++lane) {
+        attenuations[lane] = exp_lanes(attenuations[lane]);
+        if (films.vary()) attenuations[lane] *= films.ratio(cosine[lane], film[lane]);
+    }
 }
 
 FloatLanes BoundNacre::value_on(const Patch& patch, const Look& look, const Ray& i,
