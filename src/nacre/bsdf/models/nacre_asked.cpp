@@ -157,7 +157,9 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
                     strength * SeenFlakes::Place(oz, SeenFlakes::kIntervals).in(relative);
                 if (!any(leaves)) continue;
                 AskedFlakes& asked = list.emplace_back();
-                asked.wo = {ox, oy, oz};
+                // A direction for those too that do not leave: whoever asks looks into tables by it.
+                asked.wo = {leaves ? ox : FloatLanes{}, leaves ? oy : FloatLanes{},
+                            leaves ? oz : splat(1.0f)};
                 asked.pdf = pdf;
                 asked.strength = leaves ? seen : FloatLanes{};
                 asked.colour = colour;
