@@ -99,8 +99,10 @@ TEST(LightSet, TheGuessIsNearWhatShinesThere) {
 // by which cells are guessed, and the rims of a large one, shine out of cells that look black.
 TEST(LightSet, WhatShinesIsNotTakenForBlack) {
     for (const double side_deg : {0.1, 20.0}) {
-        StudioEnvironment studio{.horizon = 0, .zenith = 0};
-        studio.boxes = {{.azimuth_deg = 33, .width_deg = side_deg, .height_deg = side_deg}};
+        const StudioEnvironment studio{
+            .horizon = 0,
+            .zenith = 0,
+            .boxes = {{.azimuth_deg = 33, .width_deg = side_deg, .height_deg = side_deg}}};
         const Lit lit(studio);
         const auto spectra = lit.basis.at(film_wavelengths(0));
         const auto in_full = [](const auto&) { return 1.0f; };
