@@ -55,7 +55,7 @@ double turn(Vec2<double> a, Vec2<double> b, Vec2<double> c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// A polygon seen along its mean normal.                       [newell's, in sutherland-1974]
+/// A polygon seen along its mean normal, by Newell.                      [sutherland-1974]
 std::vector<Vec2<double>> flattened(std::span<const Vec3f> polygon) {
     Vec3d normal{0, 0, 0};
     const Vec3d origin = to_double(polygon[0]);
