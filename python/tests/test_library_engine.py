@@ -126,8 +126,10 @@ def test_a_result_that_is_lost_is_waited_for(
     read = Plan(plan)
     records = list(read.records())[:2]
     outcomes: list[Outcome] = []
+    # Any free port for its dashboard: others may run at the same time.
+    address = "127.0.0.1:0"
     with Client(
-        processes=False, n_workers=1, threads_per_worker=1, dashboard_address=None
+        processes=False, n_workers=1, threads_per_worker=1, dashboard_address=address
     ) as client:
         compute_with(client, records, read.settings, tmp_path, outcomes.append)
     assert [outcome.error for outcome in outcomes] == ["", ""]

@@ -94,9 +94,30 @@ def _deaf_to_ctrl_c() -> Iterator[None]:
 
 
 @contextmanager
+def _client_of(cluster: Any) -> Iterator[Client]:
+    """A client of a cluster whose scheduler is part of this process; ends both.
+
+    A scheduler that ends while workers still hang up logs an error with a traceback for each, which
+    tells nobody anything: it keeps silent from then on.
+    """
+    from distributed import Client
+
+    log = logging.getLogger("distributed.scheduler")
+    before = log.level
+    try:
+        with cluster, Client(cluster) as client:
+            try:
+                yield client
+            finally:
+                log.setLevel(logging.CRITICAL)
+    finally:
+        log.setLevel(before)
+
+
+@contextmanager
 def local_cluster(workers: int) -> Iterator[Client]:
     """A client of worker processes on this machine, each with one thread."""
-    from distributed import Client, LocalCluster
+    from distributed import LocalCluster
 
     with _deaf_to_ctrl_c():
         local = LocalCluster(
@@ -107,7 +128,7 @@ def local_cluster(workers: int) -> Iterator[Client]:
             memory_limit=0,
             silence_logs=logging.ERROR,
         )
-    with local as cluster, Client(cluster) as client:
+    with _client_of(local) as client:
         yield client
 
 
@@ -142,16 +163,14 @@ def listening_cluster(file: Path, interface: str = "") -> Iterator[Client]:
     interface
         Of the network, as "eth0"; empty: the one that leads out.
     """
-    from distributed import Client, LocalCluster
+    from distributed import LocalCluster
     from distributed.utils import get_ip
 
     network = {"interface": interface} if interface else {"host": get_ip()}
-    with (
-        LocalCluster(
-            n_workers=0, dashboard_address="127.0.0.1:0", silence_logs=logging.ERROR, **network
-        ) as cluster,
-        Client(cluster) as client,
-    ):
+    cluster = LocalCluster(
+        n_workers=0, dashboard_address="127.0.0.1:0", silence_logs=logging.ERROR, **network
+    )
+    with _client_of(cluster) as client:
         client.write_scheduler_file(str(file))
         try:
             yield client
