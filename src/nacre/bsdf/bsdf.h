@@ -82,12 +82,13 @@ struct AskedFlakes {
     Vec3Lanes wo;
     FloatLanes pdf, strength;
     std::array<FloatLanes, kLanes> colour;  ///< by flake
-    int species, first;                     ///< AskedFlake::flake of the first; the others follow
+    IntLanes number;                        ///< AskedFlake::flake
+    int species;
 
     AskedFlakes() {}  // no value: all of it is written before it is read
     AskedFlake flake(int lane) const {
         return {nacre::lane(wo, lane), pdf[lane],   strength[lane], species,
-                first + lane,          colour[lane]};
+                number[lane],          colour[lane]};
     }
 };
 
@@ -128,7 +129,7 @@ class PatchMemory {
     /// Room for the flakes of a patch that are asked, and two numbers for each; kept from patch to
     /// patch, so that nothing is allocated once the largest has been seen.
     std::vector<AskedFlakes> asked;
-    std::vector<float> brightness, strength;
+    std::vector<FloatLanes> brightness, strength;
 
  private:
     struct Block {  // no value: whole vectors are written before they are read

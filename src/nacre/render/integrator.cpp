@@ -34,16 +34,39 @@ bool survives(FloatLanes& throughput, bool roulette, float number) {
     return !lost;
 }
 
-/// Of the numbers that are not 0, that in whose part of their sum `at` lies; none if all are 0.
-std::optional<std::size_t> chosen(const std::vector<float>& parts, float at) {
+/// Of the numbers part(k) that are not 0, that in whose part of their sum `at` lies; none if all are
+/// 0. Leaves in `at` where in that part.
+template <class Part>
+std::optional<std::size_t> chosen(std::size_t count, const Part& part, float& at) {
     std::optional<std::size_t> last;
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-        if (parts[k] == 0) continue;
+    for (std::size_t k = 0; k < count; ++k) {
+        const float of_this = part(k);
+        if (of_this == 0) continue;
         last = k;
-        if (at < parts[k]) break;
-        at -= parts[k];
+        if (at < of_this) break;
+        at -= of_this;
     }
     return last;
+}
+
+/// A flake that asks, by its group of eight and its lane.
+struct FlakeAt {
+    std::size_t group;
+    int lane;
+    float in(const std::vector<FloatLanes>& numbers) const { return numbers[group][lane]; }
+};
+
+/// The same among lanes and, of one of them, among groups: a list eight times as short.
+/// @param sums  of the parts, by lane
+std::optional<FlakeAt> chosen(const std::vector<FloatLanes>& parts, const FloatLanes& sums,
+                              float at) {
+    const auto lane = chosen(
+        kLanes, [&](std::size_t l) { return sums[l]; }, at);
+    if (!lane) return std::nullopt;
+    const auto group = chosen(
+        parts.size(), [&](std::size_t n) { return parts[n][*lane]; }, at);
+    if (!group) return std::nullopt;
+    return FlakeAt{*group, static_cast<int>(*lane)};
 }
 
 }  // namespace
@@ -258,9 +281,9 @@ void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
     surface.bsdf.ask_flakes(*surface.patch, wi, static_cast<std::uint32_t>(u[0] * 0x1p24f) * 256u,
                             flakes);
     // Of each flake, if it reflects to where the surface does.
-    std::vector<float>&brightness = memory_.brightness, &strength = memory_.strength;
-    brightness.resize(flakes.size() * kLanes);
-    strength.resize(flakes.size() * kLanes);
+    std::vector<FloatLanes>&brightness = memory_.brightness, &strength = memory_.strength;
+    brightness.resize(flakes.size());
+    strength.resize(flakes.size());
     FloatLanes answers_by_lane{}, strengths_by_lane{}, of_flakes{};
     FloatLanes expected{};  // what all of them send, of light that is 1 at all wavelengths
     for (std::size_t n = 0; n < flakes.size(); ++n) {
@@ -273,14 +296,14 @@ void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
         const FloatLanes of_each = leaves ? flakes[n].strength : FloatLanes{};
         // Not 0 times a light that is infinite.
         const FloatLanes answer = of_each > 0.0f ? of_each * light : FloatLanes{};
-        store_lanes(&strength[n * kLanes], of_each);
-        store_lanes(&brightness[n * kLanes], answer);
+        strength[n] = of_each;
+        brightness[n] = answer;
         answers_by_lane += answer;
         strengths_by_lane += of_each;
         // Directions of the same flakes follow each other.
         of_flakes += answer;
         const bool others_follow = n + 1 == flakes.size() ||
-                                   flakes[n + 1].first != flakes[n].first ||
+                                   flakes[n + 1].number[0] != flakes[n].number[0] ||
                                    flakes[n + 1].species != flakes[n].species;
         if (!others_follow) continue;
         for (int lane = 0; lane < kLanes; ++lane)
@@ -291,11 +314,11 @@ void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
     if (!(strengths > 0)) return;
     // Densities, in flakes, of both choices.
     const float blind = answers > 0 ? kBlind : 1.0f;
-    const auto by_light = [&](std::size_t k) { return answers > 0 ? brightness[k] / answers : 0; };
-    const auto by_strength = [&](std::size_t k) { return blind * strength[k] / strengths; };
-    const auto follow_flake = [&](std::optional<Branch>& ray, std::size_t k, float density,
+    const auto by_light = [&](FlakeAt k) { return answers > 0 ? k.in(brightness) / answers : 0; };
+    const auto by_strength = [&](FlakeAt k) { return blind * k.in(strength) / strengths; };
+    const auto follow_flake = [&](std::optional<Branch>& ray, FlakeAt k, float density,
                                   float of_lights, float of_surfaces, std::uint32_t vertex) {
-        const bsdf::AskedFlake flake = flakes[k / kLanes].flake(static_cast<int>(k % kLanes));
+        const bsdf::AskedFlake flake = flakes[k.group].flake(k.lane);
         const FloatLanes throughput =
             (surface.asked_weight / density) * surface.bsdf.flake_weight(*surface.patch, wi, flake);
         if (!(lane_max(throughput) > 0)) return;
@@ -310,17 +333,17 @@ void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
                      .first_vertex = vertex + 1,
                      .lobe = lobe_of(flake.pdf)};
     };
-    if (const auto k = chosen(brightness, u[2] * answers)) {
+    if (const auto k = chosen(brightness, answers_by_lane, u[2] * answers)) {
         // Flakes whose films differ have other colours: the one that is chosen would lend its own to all.
         // What is added has the mean 0, whatever the colours [veach-1997, section 2.5], and is of the light
         // that all lights have in common: where one has none, it would be noise.
         path_.radiance += surface.asked_weight * pass_.common_colour *
-                          (expected - answers * flakes[*k / kLanes].colour[*k % kLanes]);
+                          (expected - answers * flakes[k->group].colour[k->lane]);
         const float both = by_light(*k) + by_strength(*k);
         follow_flake(flake_, *k, by_light(*k), 1, by_light(*k) / both, kFlakeVertex);
     }
     if (u[1] >= blind) return;
-    if (const auto k = chosen(strength, u[1] / blind * strengths)) {
+    if (const auto k = chosen(strength, strengths_by_lane, u[1] / blind * strengths)) {
         const float both = by_light(*k) + by_strength(*k);
         follow_flake(blind_flake_, *k, both, 0, 1, kBlindFlakeVertex);
     }

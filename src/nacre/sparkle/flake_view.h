@@ -105,8 +105,7 @@ struct FlakeView {
         /// @param u  independent from lane to lane: in [0, 1) how far from the flake's own, and turns about it
         Samples sample(const Vec2<FloatLanes>& u) const;
     };
-    /// @param first  of the eight, a multiple of kLanes
-    Lobes lobes(const DiffractionLobe& lobe, Vec3f wi, int first) const;
+    Lobes lobes(const DiffractionLobe& lobe, Vec3f wi, const IntLanes& flakes) const;
 
     /// The density of one of them, per unit square of slopes.
     float lobe_pdf(const DiffractionLobe& lobe, Vec3f wi, int flake, Vec2f slope) const;
@@ -199,9 +198,10 @@ inline Vec2f FlakeView::sample_slope(const DiffractionLobe& lobe, Vec3f wi, floa
     return {x + r * std::cos(angle), y + r * std::sin(angle)};
 }
 
-inline FlakeView::Lobes FlakeView::lobes(const DiffractionLobe& lobe, Vec3f wi, int first) const {
-    const FloatLanes x = load_lanes(&slope_x[first]), y = load_lanes(&slope_y[first]);
-    return {x, y, own_radius(lobe, wi, x, y, load_lanes(&lobe_radius[first]))};
+inline FlakeView::Lobes FlakeView::lobes(const DiffractionLobe& lobe, Vec3f wi,
+                                         const IntLanes& flakes) const {
+    const FloatLanes x = gather(slope_x.data(), flakes), y = gather(slope_y.data(), flakes);
+    return {x, y, own_radius(lobe, wi, x, y, gather(lobe_radius.data(), flakes))};
 }
 
 inline FlakeView::Lobes::Samples FlakeView::Lobes::sample(const Vec2<FloatLanes>& u) const {

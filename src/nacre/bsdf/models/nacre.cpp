@@ -36,7 +36,7 @@ sparkle::FlakePopulation population_of(const paint::FlakeSpecies& species,
 // waviness or a rough coat widens it lights a part, and one direction would tell as little of it as the
 // toss of a coin: as many are asked as the lobe is larger in area, up to a bound.
 int asked_directions(const sparkle::FlakeField& field) {
-    constexpr float kMax = 8;
+    constexpr float kMax = NacreSpecies::kMostDirections;
     const sparkle::DiffractionLobe& lobe = field.lobe();
     const auto radius = static_cast<float>(lobe.radius(field.population().diameter_um));
     const float wider = lobe.coat_radius2(lobe.spread2(lobe.coat().spread2(1.0f, 1.0f)));

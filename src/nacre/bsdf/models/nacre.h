@@ -75,10 +75,11 @@ class Nacre final : public Bsdf, public SingleFlakes {
 
 /// One kind of flakes in one layer.
 struct NacreSpecies {
+    static constexpr int kMostDirections = 8;
     sparkle::FlakeField field;
     std::shared_ptr<const FlakeFilms> films;  ///< null: all alike
     float fraction;  ///< flake_fractions(): the probability with which its flakes are sampled
-    int directions;  ///< in which each flake is asked for light
+    int directions;  ///< in which a typical flake is asked for light
 };
 /// How finely to tabulate the films of single flakes.
 struct FlakeFilmGrid {
@@ -180,9 +181,9 @@ class BoundNacre final : public BoundMicroflake {
     FloatLanes relative_attenuation(std::size_t species, std::size_t layer,
                                     const sparkle::FlakeView& view, int flake, float cosine,
                                     const FloatLanes& depth, const HotSpot::Pair* pair) const;
-    // The same of up to eight flakes, from a multiple of kLanes on.
+    // The same of eight flakes.
     void relative_attenuations(std::size_t species, std::size_t layer,
-                               const sparkle::FlakeView& view, int first, int count,
+                               const sparkle::FlakeView& view, const IntLanes& flakes,
                                const FloatLanes& cosine, const FloatLanes& depth,
                                const HotSpot::Pair* pair,
                                std::array<FloatLanes, kLanes>& attenuations) const;
@@ -228,8 +229,9 @@ class BoundNacre final : public BoundMicroflake {
     // wi upwards.
     float slope_density(std::size_t species, Vec3f wi) const;
     // Number per solid angle outside of the directions that ask_flakes() draws for the flake.
-    float flake_pdf(const sparkle::FlakeView& view, std::size_t species, int flake, const Ray& i,
-                    const Ray& o) const;
+    // @param directions  of this flake in all: AskedDirections
+    float flake_pdf(const sparkle::FlakeView& view, float directions, std::size_t species,
+                    int flake, const Ray& i, const Ray& o) const;
     FloatLanes mean_value(const Ray& i, const Ray& o) const;
 
     std::shared_ptr<const Nacre::Tables> tables_;

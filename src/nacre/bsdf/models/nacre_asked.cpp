@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
 #include "nacre/bsdf/models/nacre_flakes.h"
@@ -14,6 +15,90 @@ namespace {
 
 // Of what a flake is guessed to send, at the least: weights stay bounded where the guess is wrong.
 constexpr float kLeastSeen = 0.05f;
+
+using sparkle::FlakeView;
+
+constexpr IntLanes kNumbers = {0, 1, 2, 3, 4, 5, 6, 7};
+
+// In how many directions flakes of a patch are asked: in proportion to their weights, as the noise that
+// one of them makes is. Of most that touch a patch hardly more than an edge lies on it.
+class AskedDirections {
+ public:
+    static constexpr int kMost = 4 * NacreSpecies::kMostDirections;
+
+    /// @param directions  of a flake of the mean weight, weighted by itself
+    AskedDirections(const FlakeView& view, int directions)
+        : directions_(static_cast<float>(directions)) {
+        FloatLanes sum{}, squares{};
+        for (int first = 0; first < view.count; first += kLanes) {
+            const FloatLanes weight =
+                kNumbers + first < view.count ? load_lanes(&view.weight[first]) : FloatLanes{};
+            sum += weight;
+            squares += weight * weight;
+        }
+        const float of_squares = lane_sum(squares);
+        per_mean_ = of_squares > 0 ? lane_sum(sum) / of_squares : 0.0f;
+    }
+
+    /// Below 1, of flakes that weigh least: the probability with which they are asked.
+    /// @param weight  of one flake, or of eight
+    template <class T>
+    T of(const T& weight) const {
+        constexpr float kByLot = 8;  // times as light as the mean
+        const T relative = min_lanes(weight * per_mean_, T{} + 4.0f);
+        const T number = max_lanes(to_float(whole(relative * directions_ + 0.5f)), T{} + 1.0f);
+        return kByLot * relative < 1.0f ? kByLot * relative : number;
+    }
+
+ private:
+    float directions_, per_mean_;
+};
+
+// 32 bits for each of eight flakes.
+UintLanes bits_of_flakes(std::uint64_t random, const IntLanes& flakes) {
+    const std::uint32_t step = static_cast<std::uint32_t>(random >> 32) | 1u;
+    return mix_bits_32(static_cast<std::uint32_t>(random) +
+                       step * __builtin_convertvector(flakes + 1, UintLanes));
+}
+
+// The flakes of a patch that are asked, those with most directions first: eight that follow each
+// other then have nearly as many.
+class AskingOrder {
+ public:
+    /// @param random  by which flakes that weigh least are asked or not
+    AskingOrder(const FlakeView& view, const AskedDirections& directions, std::uint64_t random) {
+        std::array<std::uint8_t, FlakeView::kMax + kLanes> directions_of;
+        std::array<int, AskedDirections::kMost + 1> flakes_with{}, place{};
+        for (int first = 0; first < view.count; first += kLanes) {
+            const FloatLanes number = directions.of(load_lanes(&view.weight[first]));
+            const FloatLanes lot = sparkle::unit_fraction(bits_of_flakes(random, kNumbers + first));
+            const IntLanes by_lot = lot < number ? IntLanes{} + 1 : IntLanes{};
+            const IntLanes here = number < 1.0f ? by_lot : whole(number);
+            for (int lane = 0; lane < std::min(kLanes, view.count - first); ++lane) {
+                directions_of[first + lane] = static_cast<std::uint8_t>(here[lane]);
+                ++flakes_with[here[lane]];
+            }
+        }
+        for (int n = AskedDirections::kMost; n > 0; --n) {
+            place[n] = count_;
+            count_ += flakes_with[n];
+        }
+        for (int k = 0; k < view.count; ++k) {
+            if (directions_of[k] > 0) flakes_[place[directions_of[k]]++] = k;
+        }
+    }
+    int count() const { return count_; }
+    /// Eight of them; in place of those beyond the last, any flake.
+    IntLanes flakes(int first) const {
+        IntLanes eight;
+        std::memcpy(&eight, &flakes_[first], sizeof eight);
+        return eight;
+    }
+
+ private:
+    std::array<int, FlakeView::kMax + kLanes> flakes_{};
+    int count_ = 0;
+};
 
 }  // namespace
 
@@ -30,7 +115,8 @@ Ray BoundNacre::typical_mirrored(std::size_t species, const Ray& i) const {
 BoundNacre::SeenFlakes BoundNacre::seen_flakes(std::size_t species) const {
     const sparkle::FlakeField& field = tables_->species[species].field;
     const sparkle::DiffractionLobe& lobe = field.lobe();
-    sparkle::FlakeView view;  // of one typical flake
+    const auto directions = static_cast<float>(tables_->species[species].directions);
+    FlakeView view;  // of one typical flake
     view.count = 1;
     view.weight[0] = 1;
     view.typical_radius = field.constants().typical_radius;
@@ -47,7 +133,7 @@ BoundNacre::SeenFlakes BoundNacre::seen_flakes(std::size_t species) const {
         view.slope_x[0] = half.slope.x;
         view.slope_y[0] = half.slope.y;
         const float seen = view.fraction(lobe, half.slope, half.cosine, 0, half.spread2) *
-                           o.outside.z / flake_pdf(view, species, 0, i, o);
+                           o.outside.z / flake_pdf(view, directions, species, 0, i, o);
         return Sent{seen * single_value(i, o, AllOfSpecies(*this, species, i, o, bare)),
                     lobe.slope_density(half.slope2) * half.per_solid_angle * solid_angle_ratio(o)};
     };
@@ -90,7 +176,6 @@ BoundNacre::SeenFlakes BoundNacre::seen_flakes(std::size_t species) const {
 void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
                             std::vector<AskedFlakes>& list) const {
     list.clear();
-    constexpr UintLanes kNumber = {1, 2, 3, 4, 5, 6, 7, 8};
     // Directions of one flake are a lattice, shifted at random [cranley-patterson-1976].
     constexpr float kGolden = std::numbers::phi_v<float> - 1;
     if (wi.z <= 0) return;
@@ -101,7 +186,7 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
     for (std::size_t s = 0; s < tables_->species.size(); ++s) {
         while (layer + 1 < tables_->first_species.size() && tables_->first_species[layer + 1] <= s)
             ++layer;
-        const sparkle::FlakeView& view = look[s];
+        const FlakeView& view = look[s];
         const NacreSpecies& species = tables_->species[s];
         const FloatLanes depth = depth_there_and_back(layer, i);
         const SeenFlakes& flakes = seen_flakes_[s];
@@ -112,32 +197,37 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
         const Ray typical = typical_mirrored(s, i);
         std::optional<HotSpot::Pair> pair;
         if (hot_spot_) pair.emplace(*hot_spot_, i, typical);
-        const auto directions = static_cast<float>(species.directions);
-        for (int first = 0; first < view.count; first += kLanes) {
-            const int last = std::min(kLanes, view.count - first);
-            const auto lobes = view.lobes(species.field.lobe(), i.inside, first);
+        const AskedDirections directions(view, species.directions);
+        const std::uint64_t bits = hash_of(random, s);
+        const AskingOrder order(view, directions, ~bits);
+        for (int first = 0; first < order.count(); first += kLanes) {
+            const IntLanes flakes_here = order.flakes(first);
+            const FloatLanes weight = kNumbers + first < order.count()
+                                          ? gather(view.weight.data(), flakes_here)
+                                          : FloatLanes{};
+            const FloatLanes number = directions.of(weight);
+            const FloatLanes rounds = max_lanes(number, splat(1.0f));
+            const auto lobes = view.lobes(species.field.lobe(), i.inside, flakes_here);
             const FloatLanes facing = i.inside.x * lobes.x + i.inside.y * lobes.y + i.inside.z;
             const FloatLanes cosine = (facing < 0.0f ? -facing : facing) /
                                       sqrt_lanes(1.0f + lobes.x * lobes.x + lobes.y * lobes.y);
             // Of each flake, at eight wavelengths.
             std::array<FloatLanes, kLanes> colour{};
-            relative_attenuations(s, layer, view, first, last, cosine, depth,
+            relative_attenuations(s, layer, view, flakes_here, cosine, depth,
                                   pair ? &*pair : nullptr, colour);
             FloatLanes luminance{};
-            for (int lane = 0; lane < last; ++lane) {
+            for (int lane = 0; lane < kLanes; ++lane) {
                 colour[lane] *= light;
                 luminance[lane] = lane_sum(eye_ * colour[lane]);
             }
-            const FloatLanes strength = load_lanes(&view.weight[first]) * luminance;
+            // `light` is that of one of as many directions as a flake of the mean weight has.
+            const FloatLanes strength =
+                weight * luminance * (static_cast<float>(species.directions) / number);
             const FloatLanes per_luminance = luminance > 0.0f ? 1 / luminance : FloatLanes{};
-            for (int lane = 0; lane < last; ++lane) colour[lane] *= per_luminance[lane];
-            const auto bits = hash_of(random, s, first);
-            const UintLanes by_flake =
-                mix_bits_32(static_cast<std::uint32_t>(bits) +
-                            kNumber * (static_cast<std::uint32_t>(bits >> 32) | 1u));
-            for (int direction = 0; direction < species.directions; ++direction) {
-                const auto n = static_cast<float>(direction);
-                const FloatLanes u = sparkle::lower_half(by_flake) * 0x1p-16f + n / directions;
+            for (int lane = 0; lane < kLanes; ++lane) colour[lane] *= per_luminance[lane];
+            const UintLanes by_flake = bits_of_flakes(bits, flakes_here);
+            for (float n = 0; n < lane_max(rounds); ++n) {
+                const FloatLanes u = sparkle::lower_half(by_flake) * 0x1p-16f + n / rounds;
                 const FloatLanes turns = sparkle::upper_half(by_flake) * 0x1p-16f + n * kGolden;
                 const auto half = lobes.sample({u < 1.0f ? u : u - 1.0f, turns});
                 // The mirror image of w_i in a plane of this slope, and its refraction out.
@@ -150,9 +240,10 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
                 const FloatLanes oz2 = 1.0f - ox * ox - oy * oy;
                 const FloatLanes oz = sqrt_lanes(max_lanes(oz2, FloatLanes{}));
                 // sec^3 / (4 w_i.h): area of slopes per solid angle of w_o; then per that outside.
-                const FloatLanes pdf = directions * half.pdf * (0.5f * sec2 / (i.inside.z + z)) *
-                                       oz / (z * (mean_ior() * mean_ior()));
-                const auto leaves = (oz2 > 1e-6f) & (z > 0.0f) & (pdf > 0.0f) & (strength > 0.0f);
+                const FloatLanes pdf = number * half.pdf * (0.5f * sec2 / (i.inside.z + z)) * oz /
+                                       (z * (mean_ior() * mean_ior()));
+                const auto leaves =
+                    (oz2 > 1e-6f) & (z > 0.0f) & (pdf > 0.0f) & (strength > 0.0f) & (n < rounds);
                 const FloatLanes seen =
                     strength * SeenFlakes::Place(oz, SeenFlakes::kIntervals).in(relative);
                 if (!any(leaves)) continue;
@@ -164,18 +255,17 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
                 asked.strength = leaves ? seen : FloatLanes{};
                 asked.colour = colour;
                 asked.species = static_cast<int>(s);
-                asked.first = first;
+                asked.number = flakes_here;
             }
         }
     }
 }
 
-float BoundNacre::flake_pdf(const sparkle::FlakeView& view, std::size_t species, int flake,
+float BoundNacre::flake_pdf(const FlakeView& view, float directions, std::size_t species, int flake,
                             const Ray& i, const Ray& o) const {
     const HalfVector half(i, o, coat());
-    const NacreSpecies& by = tables_->species[species];
-    return static_cast<float>(by.directions) *
-           view.lobe_pdf(by.field.lobe(), i.inside, flake, half.slope) * half.per_solid_angle *
+    const sparkle::DiffractionLobe& lobe = tables_->species[species].field.lobe();
+    return directions * view.lobe_pdf(lobe, i.inside, flake, half.slope) * half.per_solid_angle *
            solid_angle_ratio(o);
 }
 
@@ -203,11 +293,13 @@ FloatLanes BoundNacre::flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float p
         const sparkle::DiffractionLobe& lobe = tables_->species[s].field.lobe();
         const sparkle::FlakeView& view = look[s];
         if (view.count == 0 || !lobe.reaches(half.slope2)) continue;
+        const AskedDirections directions(view, tables_->species[s].directions);
         SomeFlakes flakes(*this, s, view, i, o);
         view.for_each_answer(
             lobe, half.slope, half.cosine,
             [&](int k, float fraction) {
-                flakes.add(k, fraction * power_heuristic(pdf, flake_pdf(view, s, k, i, o)));
+                const float asked = flake_pdf(view, directions.of(view.weight[k]), s, k, i, o);
+                flakes.add(k, fraction * power_heuristic(pdf, asked));
             },
             half.spread2);
         if (!flakes.empty()) sum += single_value(i, o, flakes);

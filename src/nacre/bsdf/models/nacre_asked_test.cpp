@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <vector>
 
 #include "nacre/bsdf/wavelength_lanes.h"
@@ -171,6 +172,43 @@ TEST(NacreAsked, WeighedWaysAddUp) {
         EXPECT_NEAR(alone.mean(), both.mean(), kWorstZ * std::hypot(alone.error(), both.error()));
         EXPECT_LT(both.error(), 0.02 * both.mean());
     }
+}
+
+// How many of some numbers would give as even a sum, were all alike, of how many there are.
+double evenness(const std::vector<double>& parts) {
+    double sum = 0, squares = 0;
+    for (const double part : parts) {
+        sum += part;
+        squares += part * part;
+    }
+    return sum * sum / (squares * static_cast<double>(parts.size()));
+}
+
+// Flakes that a patch shows by their edges weigh little, and are asked in fewer directions or not at all:
+// directions matter nearly alike, and flakes do not.
+TEST(NacreAsked, DirectionsGoWithTheWeightsOfFlakes) {
+    paint::FlakeSpecies wavy = metal_flake(18, 0.9);
+    wavy.waviness = 0.06;
+    const SparklingModel model(paint_of({wavy}), {.specimen = 1});
+    Rng rng(12, 1);
+    Sample of_directions, of_flakes;
+    for (int n = 0; n < 500; ++n) {
+        const Patch patch = apart(rng, std::sqrt(10 / model.flakes_per_mm2()));
+        std::vector<double> directions;
+        std::map<int, double> by_flake;
+        for (const AskedFlake& asked : asked_flakes(*model.bound, patch, direction(30, 20),
+                                                    static_cast<std::uint32_t>(n) * 977u)) {
+            directions.push_back(asked.strength);
+            by_flake[asked.flake] += asked.strength;
+        }
+        ASSERT_FALSE(directions.empty());
+        std::vector<double> flakes;
+        for (const auto& [flake, strength] : by_flake) flakes.push_back(strength);
+        of_directions.add(evenness(directions));
+        of_flakes.add(evenness(flakes));
+    }
+    EXPECT_NEAR(of_directions.mean(), 0.78, 0.03);
+    EXPECT_LT(of_flakes.mean(), 0.65);
 }
 
 // However many species there are, none of their flakes is forgotten: some ten of each are asked.

@@ -98,21 +98,21 @@ FloatLanes BoundNacre::relative_attenuation(std::size_t species, std::size_t lay
 }
 
 void BoundNacre::relative_attenuations(std::size_t species, std::size_t layer,
-                                       const sparkle::FlakeView& view, int first, int count,
+                                       const sparkle::FlakeView& view, const IntLanes& flakes,
                                        const FloatLanes& cosine, const FloatLanes& depth,
                                        const HotSpot::Pair* pair,
                                        std::array<FloatLanes, kLanes>& attenuations) const {
     UintLanes film{};
     FloatLanes at{};
-    for (int lane = 0; lane < count; ++lane) {
-        const sparkle::FlakeView::Body body = view.body(first + lane);
+    for (int lane = 0; lane < kLanes; ++lane) {
+        const sparkle::FlakeView::Body body = view.body(flakes[lane]);
         at[lane] = body.depth;
         film[lane] = body.film;
     }
     for (int lane = 0; lane < kLanes; ++lane) attenuations[lane] = -at[lane] * depth;
     if (pair) pair->add_gains(layer, at, attenuations);
     const BoundFlakeFilms& films = films_[species];
-    for (int lane = 0; lane < count; ++lane) {
+    for (int lane = 0; lane < kLanes; ++lane) {
         attenuations[lane] = exp_lanes(attenuations[lane]);
         if (films.vary()) attenuations[lane] *= films.ratio(cosine[lane], film[lane]);
     }
