@@ -40,11 +40,11 @@ std::string difference_csv(const measure::Difference& difference,
         const measure::AngleDifference& angle = difference.angles[i];
         const Vec3d &standard = angle.lab_standard, &sample = angle.lab_sample,
                     &delta = angle.delta_lab;
-        fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}",
-                       csv_cell(angle.geometry.name), angle.geometry.theta_i_deg,
-                       angle.geometry.aspecular_deg, standard[0], standard[1], standard[2],
-                       sample[0], sample[1], sample[2], delta[0], delta[1], delta[2],
-                       angle.delta_chroma(), angle.delta_hue(), angle.delta_e_2000, angle.weight);
+        csv += fmt::format(
+            "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", csv_cell(angle.geometry.name),
+            angle.geometry.theta_i_deg, angle.geometry.aspecular_deg, standard[0], standard[1],
+            standard[2], sample[0], sample[1], sample[2], delta[0], delta[1], delta[2],
+            angle.delta_chroma(), angle.delta_hue(), angle.delta_e_2000, angle.weight);
         if (has_own_formula(verdict)) csv += fmt::format(",{}", verdict->angles[i].delta_e);
         if (has_limits(verdict)) {
             const measure::AngleVerdict& judged = verdict->angles[i];

@@ -102,8 +102,8 @@ ExitStatus run(const EvalOptions& options) {
             const std::vector<double> brdf = values(in.theta_deg * kDegree, out.theta_deg * kDegree,
                                                     (out.phi_deg - in.phi_deg) * kDegree);
             for (std::size_t i = 0; i < wavelengths.size(); ++i) {
-                fmt::format_to(std::back_inserter(table), "{},{},{},{},{},{:.9g}\n", in.theta_deg,
-                               in.phi_deg, out.theta_deg, out.phi_deg, wavelengths[i], brdf[i]);
+                table += fmt::format("{},{},{},{},{},{:.9g}\n", in.theta_deg, in.phi_deg,
+                                     out.theta_deg, out.phi_deg, wavelengths[i], brdf[i]);
             }
         }
     }

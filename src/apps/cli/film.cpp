@@ -75,8 +75,8 @@ std::string film_table(const FilmOptions& options) {
                 ambient.index(wavelength), stack, substrate.index(wavelength),
                 std::cos(angle * std::numbers::pi / 180), wavelength,
                 parse_polarization(options.polarization));
-            fmt::format_to(std::back_inserter(table), "{},{},{},{:.12g},{:.12g}\n", wavelength,
-                           angle, options.polarization, rt.reflectance, rt.transmittance);
+            table += fmt::format("{},{},{},{:.12g},{:.12g}\n", wavelength, angle,
+                                 options.polarization, rt.reflectance, rt.transmittance);
         }
     }
     return table;

@@ -26,7 +26,7 @@ class Text {
  public:
     template <class... Args>
     void line(fmt::format_string<Args...> format, Args&&... args) {
-        fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+        text_ += fmt::format(format, std::forward<Args>(args)...);
         text_.resize(text_.find_last_not_of(' ') + 1);
         text_ += '\n';
     }

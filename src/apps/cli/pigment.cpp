@@ -47,13 +47,12 @@ std::string table_csv(const fit::PigmentEstimate& estimate, double anisotropy) {
     csv += '\n';
     for (std::size_t i = 0; i < estimate.wavelengths_nm.size(); ++i) {
         const double s = estimate.scattering_per_mm[i], a = estimate.absorption_per_mm[i];
-        fmt::format_to(std::back_inserter(csv), "{},{:.6g},{},{:.6g},{},{:.6g},{:.6g}",
-                       estimate.wavelengths_nm[i], s, error_text(estimate.scattering_error[i]), a,
-                       error_text(estimate.absorption_error[i]), 2 * a,
-                       0.75 * (1 - anisotropy) * s);
+        csv += fmt::format("{},{:.6g},{},{:.6g},{},{:.6g},{:.6g}", estimate.wavelengths_nm[i], s,
+                           error_text(estimate.scattering_error[i]), a,
+                           error_text(estimate.absorption_error[i]), 2 * a,
+                           0.75 * (1 - anisotropy) * s);
         for (const fit::DrawdownResidual& residual : estimate.residuals) {
-            fmt::format_to(std::back_inserter(csv), ",{:.3g}",
-                           residual.modelled[i] - residual.measured[i]);
+            csv += fmt::format(",{:.3g}", residual.modelled[i] - residual.measured[i]);
         }
         csv += '\n';
     }

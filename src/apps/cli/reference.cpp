@@ -56,9 +56,9 @@ ExitStatus run(const ReferenceOptions& options) {
         for (const Direction& out : outgoing) {
             for (double wavelength : wavelengths) {
                 const Estimate& e = estimates[row++];
-                fmt::format_to(std::back_inserter(table), "{},{},{},{},{},{:.9g},{:.3g}\n",
-                               in.theta_deg, in.phi_deg, out.theta_deg, out.phi_deg, wavelength,
-                               e.value, e.standard_error);
+                table +=
+                    fmt::format("{},{},{},{},{},{:.9g},{:.3g}\n", in.theta_deg, in.phi_deg,
+                                out.theta_deg, out.phi_deg, wavelength, e.value, e.standard_error);
             }
         }
     }

@@ -71,18 +71,17 @@ std::string cells(const std::optional<Estimate>& estimate, double scale = 1) {
 
 std::string csv_of(const measure::SparkleMeasurement& measurement) {
     std::string table = kHeader;
-    auto out = std::back_inserter(table);
     for (std::size_t i = 0; i < measurement.by_lamp.size(); ++i) {
         const measure::Sparkle& s = measurement.by_lamp[i];
         const double lamp = measurement.lamps_deg[i];
-        fmt::format_to(out, "{},{},{:.6g},{:.6g},{:.6g}", lamp_name(lamp), lamp, 100 * s.mean_y,
-                       100 * s.background.y, 100 * s.background.threshold);
+        table += fmt::format("{},{},{:.6g},{:.6g},{:.6g}", lamp_name(lamp), lamp, 100 * s.mean_y,
+                             100 * s.background.y, 100 * s.background.threshold);
         table += cells(s.density_per_cm2) + cells(s.intensity) + cells(s.contrast) +
                  cells(s.area_fraction, 100) + cells(s.sparkle_per_cm2) + ",," +
                  cells(s.pixel_contrast) + "\n";
     }
     if (const auto& diffuse = measurement.diffuse) {
-        fmt::format_to(out, "diffuse,,{:.6g},,,,,,,,,,,,", 100 * diffuse->mean_y);
+        table += fmt::format("diffuse,,{:.6g},,,,,,,,,,,,", 100 * diffuse->mean_y);
         table += cells(diffuse->graininess) + cells(diffuse->pixel_contrast) + "\n";
     }
     return table;

@@ -294,9 +294,9 @@ std::string contributions_csv(const Uncertainty& u) {
                          const std::vector<double>& change) {
         const std::vector<double> all = fit::shares(change, u.correlation);
         for (std::size_t i = 0; i < u.numbers.size(); ++i) {
-            fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{}\n", csv_cell(geometry),
-                           quantity, csv_cell(u.numbers[i].key), u.numbers[i].value,
-                           u.numbers[i].standard_deviation, change[i], all[i]);
+            csv += fmt::format("{},{},{},{},{},{},{}\n", csv_cell(geometry), quantity,
+                               csv_cell(u.numbers[i].key), u.numbers[i].value,
+                               u.numbers[i].standard_deviation, change[i], all[i]);
         }
     };
     for (const ReadingUncertainty& r : u.readings) {

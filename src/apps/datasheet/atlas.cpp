@@ -344,10 +344,10 @@ std::string atlas_csv(const Atlas& atlas) {
     for (std::size_t v = 0; v < atlas.values.size(); ++v) {
         for (std::size_t g = 0; g < atlas.geometries.size(); ++g) {
             const Vec3d& lab = atlas.at(g, v);
-            fmt::format_to(
-                std::back_inserter(csv), "{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.2f},{}\n",
-                atlas.values[v], atlas.geometries[g].theta_i_deg, atlas.geometries[g].aspecular_deg,
-                lab[0], lab[1], lab[2], measure::chroma(lab), measure::hue_deg(lab), chip(lab));
+            csv += fmt::format("{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.2f},{}\n", atlas.values[v],
+                               atlas.geometries[g].theta_i_deg, atlas.geometries[g].aspecular_deg,
+                               lab[0], lab[1], lab[2], measure::chroma(lab), measure::hue_deg(lab),
+                               chip(lab));
         }
     }
     return csv;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -118,9 +117,9 @@ std::string materials_csv() {
     for (const std::string& name : optics::material_names()) {
         const optics::Material material = optics::find_material(name);
         const optics::ComplexIndex index = material.index(kGreen_nm);
-        fmt::format_to(std::back_inserter(csv), "{},{},{:.5g},{:.5g},{},{}\n", name,
-                       range_cells(known(material)), index.real(), index.imag(), chip_of(material),
-                       csv_cell(material.source()));
+        csv +=
+            fmt::format("{},{},{:.5g},{:.5g},{},{}\n", name, range_cells(known(material)),
+                        index.real(), index.imag(), chip_of(material), csv_cell(material.source()));
     }
     return csv;
 }
@@ -132,11 +131,11 @@ std::string pigments_csv(const Progress& progress) {
         const io::PigmentFile file =
             io::parse_pigment_file(shipped.toml, name + ".toml", kChipVolume);
         const bool particles = std::holds_alternative<paint::PigmentParticles>(file.pigment.body);
-        fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{}\n", name,
-                       csv_cell(file.pigment.name), particles ? "particles" : "coefficients",
-                       range_cells(known(file.pigment)),
-                       drawdown_chip(file.pigment, 0.02, progress),
-                       drawdown_chip(file.pigment, 0.9, progress), csv_cell(file.source));
+        csv +=
+            fmt::format("{},{},{},{},{},{},{}\n", name, csv_cell(file.pigment.name),
+                        particles ? "particles" : "coefficients", range_cells(known(file.pigment)),
+                        drawdown_chip(file.pigment, 0.02, progress),
+                        drawdown_chip(file.pigment, 0.9, progress), csv_cell(file.source));
     }
     return csv;
 }

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
-
 #include "apps/report/markup.h"
 
 namespace nacre::report {
@@ -15,8 +13,8 @@ std::string chips_svg(const std::string& title, const std::vector<std::string>& 
     std::string body;
     int y = kMargin;
     const auto text = [&](int x, int at, const std::string& words, const char* style) {
-        fmt::format_to(std::back_inserter(body), "<text x=\"{}\" y=\"{}\"{}>{}</text>\n", x, at,
-                       style, escape_html(words));
+        body +=
+            fmt::format("<text x=\"{}\" y=\"{}\"{}>{}</text>\n", x, at, style, escape_html(words));
     };
     text(kMargin, y + 14, title, " font-size=\"16\" font-weight=\"bold\"");
     y += 26;
@@ -36,9 +34,9 @@ std::string chips_svg(const std::string& title, const std::vector<std::string>& 
             text(kMargin, y + 20, pair.label, "");
             for (const auto& [x, colour] :
                  {std::pair{left, &pair.first}, std::pair{right, &pair.second}}) {
-                fmt::format_to(std::back_inserter(body),
-                               "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n",
-                               x, y, kChip, kRow, escape_html(*colour));
+                body += fmt::format(
+                    "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n", x, y,
+                    kChip, kRow, escape_html(*colour));
             }
             text(notes, y + 20, pair.note, "");
             y += kRow;

@@ -36,23 +36,22 @@ std::string paint_literal(const CyclesMaterial& m, const std::string& name, doub
     // JSON's escapes are Python's too.
     std::string text = fmt::format("PAINT = {{\n    \"name\": {},\n    \"flake_size\": {:.6g},\n",
                                    nlohmann::json(name).dump(), 1e-6 * flake_um);
-    const auto out = std::back_inserter(text);
-    fmt::format_to(out, "    \"diffuse\": {},\n    \"lobes\": [\n", python_color(m.diffuse));
+    text += fmt::format("    \"diffuse\": {},\n    \"lobes\": [\n", python_color(m.diffuse));
     for (const CyclesLobe& lobe : m.lobes) {
-        fmt::format_to(out,
-                       "        {{\n            \"roughness\": {:.6g},\n"
-                       "            \"widening\": {:.6g},\n            \"lean\": {:.6g},\n"
-                       "            \"color\": [\n",
-                       lobe.roughness, lobe.widening, lobe.lean);
+        text += fmt::format(
+            "        {{\n            \"roughness\": {:.6g},\n"
+            "            \"widening\": {:.6g},\n            \"lean\": {:.6g},\n"
+            "            \"color\": [\n",
+            lobe.roughness, lobe.widening, lobe.lean);
         for (const Vec3d& stop : lobe.color.stops) {
-            fmt::format_to(out, "                {},\n", python_color(stop));
+            text += fmt::format("                {},\n", python_color(stop));
         }
         text += "            ],\n        },\n";
     }
     text += "    ],\n";
     if (m.coat) {
-        fmt::format_to(out, "    \"coat\": {{\"ior\": {:.6g}, \"roughness\": {:.6g}}},\n",
-                       m.coat_ior, m.coat_roughness);
+        text += fmt::format("    \"coat\": {{\"ior\": {:.6g}, \"roughness\": {:.6g}}},\n",
+                            m.coat_ior, m.coat_roughness);
     }
     return text + "}\n";
 }

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <iterator>
 #include <string>
 
 #include "nacre/core/version.h"
@@ -89,12 +88,11 @@ std::string flake_nodes(double tilt) {
 
 std::string materialx_text(const OpenPbr& s, const std::string& name, const MaterialFit& fit) {
     std::string text = "<?xml version=\"1.0\"?>\n";
-    const auto out = std::back_inserter(text);
-    fmt::format_to(out,
-                   "<!-- Nacre {}: CIEDE2000 from the paint, mean and greatest: {:.1f}, {:.1f} at "
-                   "byk-mac's angles; {:.1f}, {:.1f} at angles that the fit did not see -->\n",
-                   version(), fit.instrument.mean_delta_e_2000, fit.instrument.max_delta_e_2000,
-                   fit.tested.mean_delta_e_2000, fit.tested.max_delta_e_2000);
+    text += fmt::format(
+        "<!-- Nacre {}: CIEDE2000 from the paint, mean and greatest: {:.1f}, {:.1f} at "
+        "byk-mac's angles; {:.1f}, {:.1f} at angles that the fit did not see -->\n",
+        version(), fit.instrument.mean_delta_e_2000, fit.instrument.max_delta_e_2000,
+        fit.tested.mean_delta_e_2000, fit.tested.max_delta_e_2000);
     text += "<materialx version=\"1.39\" colorspace=\"lin_rec709\">\n";
     const double tilt = s.flake_tilt * s.specular_roughness * s.specular_roughness;
     text += flake_nodes(tilt);
@@ -117,11 +115,11 @@ std::string materialx_text(const OpenPbr& s, const std::string& name, const Mate
         "    <input name=\"geometry_normal\" type=\"vector3\" nodegraph=\"flakes\" "
         "output=\"normal\" />\n";
     text += "  </open_pbr_surface>\n";
-    fmt::format_to(out,
-                   "  <surfacematerial name=\"paint\" type=\"material\" uiname=\"{}\">\n"
-                   "    <input name=\"surfaceshader\" type=\"surfaceshader\" "
-                   "nodename=\"paint_surface\" />\n  </surfacematerial>\n</materialx>\n",
-                   attribute(name));
+    text += fmt::format(
+        "  <surfacematerial name=\"paint\" type=\"material\" uiname=\"{}\">\n"
+        "    <input name=\"surfaceshader\" type=\"surfaceshader\" "
+        "nodename=\"paint_surface\" />\n  </surfacematerial>\n</materialx>\n",
+        attribute(name));
     return text;
 }
 

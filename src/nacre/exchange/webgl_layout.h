@@ -99,7 +99,7 @@ class WebglLines {
     template <class... Args>
     void add(fmt::format_string<Args...> format, Args&&... args) {
         if (!text_.empty()) text_ += "\n    ";
-        fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+        text_ += fmt::format(format, std::forward<Args>(args)...);
     }
     std::string text() && { return std::move(text_); }
 

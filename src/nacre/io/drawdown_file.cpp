@@ -261,18 +261,17 @@ std::string drawdown_csv(const measure::Drawdown& drawdown) {
                                    [](const auto& r) { return r.white_volume_fraction > 0; });
     std::string csv = "ground,thickness_um,volume_fraction";
     if (tints) csv += ",white_volume_fraction";
-    const auto out = std::back_inserter(csv);
-    for (const double wavelength : drawdown.wavelengths_nm) fmt::format_to(out, ",{}", wavelength);
+    for (const double wavelength : drawdown.wavelengths_nm) csv += fmt::format(",{}", wavelength);
     csv += '\n';
     for (const measure::DrawdownReading& reading : drawdown.readings) {
         const auto fraction = [&](double value) {
             return reading.is_bare() ? std::string() : fmt::format("{}", value);
         };
-        fmt::format_to(out, "{},{},{}", csv_cell(reading.ground),
-                       reading.opaque ? kOpaque : fmt::format("{}", reading.thickness_um),
-                       fraction(reading.volume_fraction));
+        csv += fmt::format("{},{},{}", csv_cell(reading.ground),
+                           reading.opaque ? kOpaque : fmt::format("{}", reading.thickness_um),
+                           fraction(reading.volume_fraction));
         if (tints) csv += "," + fraction(reading.white_volume_fraction);
-        for (const double value : reading.reflectance) fmt::format_to(out, ",{:.6g}", value);
+        for (const double value : reading.reflectance) csv += fmt::format(",{:.6g}", value);
         csv += '\n';
     }
     return csv;

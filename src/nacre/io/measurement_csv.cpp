@@ -42,13 +42,12 @@ std::string measurement_csv(const measure::Measurement& measurement,
                             const std::vector<std::vector<double>>& standard_error,
                             const std::vector<MeasurementColumn>& more) {
     std::string csv = "geometry,theta_i,aspecular_deg,L,a,b,C,h,X,Y,Z";
-    const auto out = std::back_inserter(csv);
-    for (double wavelength : measurement.wavelengths_nm) fmt::format_to(out, ",R{}", wavelength);
+    for (double wavelength : measurement.wavelengths_nm) csv += fmt::format(",R{}", wavelength);
     csv +=
         ",theta_o,phi,lamp_half_angle_deg,detector_half_angle_deg,illuminant,observer,chip,sample";
     if (!standard_error.empty()) {
         for (double wavelength : measurement.wavelengths_nm) {
-            fmt::format_to(out, ",SE{}", wavelength);
+            csv += fmt::format(",SE{}", wavelength);
         }
     }
     for (const MeasurementColumn& column : more) csv += "," + csv_cell(column.name);
@@ -57,23 +56,23 @@ std::string measurement_csv(const measure::Measurement& measurement,
     for (std::size_t row = 0; row < measurement.readings.size(); ++row) {
         const measure::Reading& reading = measurement.readings[row];
         const measure::Geometry& g = reading.geometry;
-        fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{},{}", csv_cell(g.name), g.theta_i_deg,
-                       g.aspecular_deg, reading.lab[0], reading.lab[1], reading.lab[2],
-                       measure::chroma(reading.lab), measure::hue_deg(reading.lab), reading.xyz[0],
-                       reading.xyz[1], reading.xyz[2]);
+        csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{}", csv_cell(g.name), g.theta_i_deg,
+                           g.aspecular_deg, reading.lab[0], reading.lab[1], reading.lab[2],
+                           measure::chroma(reading.lab), measure::hue_deg(reading.lab),
+                           reading.xyz[0], reading.xyz[1], reading.xyz[2]);
         for (std::size_t i = 0; i < measurement.wavelengths_nm.size(); ++i) {
             csv += ',';
             if (!reading.reflectance_factor.empty()) {
-                fmt::format_to(out, "{}", reading.reflectance_factor[i]);
+                csv += fmt::format("{}", reading.reflectance_factor[i]);
             }
         }
-        fmt::format_to(
-            out, ",{},{},{},{},{},{},{},{}", g.theta_o_deg, g.phi_deg,
+        csv += fmt::format(
+            ",{},{},{},{},{},{},{},{}", g.theta_o_deg, g.phi_deg,
             conditions.aperture.lamp_half_angle_deg, conditions.aperture.detector_half_angle_deg,
             spectra::name(conditions.illuminant), spectra::name(conditions.observer),
             spectra::css_colour(measure::srgb_chip(reading.lab)), csv_cell(measurement.name));
         if (!standard_error.empty()) {
-            for (double error : standard_error.at(row)) fmt::format_to(out, ",{}", error);
+            for (double error : standard_error.at(row)) csv += fmt::format(",{}", error);
         }
         for (const MeasurementColumn& column : more) csv += "," + csv_cell(column.cells.at(row));
         csv += '\n';
