@@ -4,9 +4,11 @@
 #include <string_view>
 #include <variant>
 
-#include "apps/studio/answers.h"
-#include "apps/studio/http_rules.h"
-#include "apps/studio/own_files.h"
+#include "apps/studio/messages/frames.h"
+#include "apps/studio/messages/http_rules.h"
+#include "apps/studio/messages/messages.h"
+#include "apps/studio/messages/own_files.h"
+#include "apps/studio/messages/recipe_tree.h"
 #include "nacre/core/error.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/io/table_reader.h"

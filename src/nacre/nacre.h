@@ -202,8 +202,7 @@ struct Readings {
     std::string csv() const;
 };
 
-/// The default set.
-inline constexpr const char* kDefaultGeometries = "byk-mac";
+using measure::kDefaultGeometries;
 
 /// A set that is built in ("byk-mac"), a file of a set (.toml), or a list as in
 /// "45as15,45as25az90,45to30,90".

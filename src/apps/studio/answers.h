@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/studio/messages.h"
+#include "apps/studio/messages/messages.h"
 #include "apps/studio/outbox.h"
 #include "nacre/core/progress.h"
 #include "nacre/measure/difference.h"
@@ -102,12 +102,5 @@ Measurement standard_readings(const Paint& standard, const Viewed& viewed);
 /// The limits that concern angles of the comparison: the page may show other angles than it limits.
 measure::Tolerance known_limits(measure::Tolerance tolerance,
                                 const measure::Difference& difference);
-
-/// About a message that cannot be answered. Key, line and range are taken out of the texts of
-/// errors, which name them (docs/conventions.md).
-Frames error_frames(const Tree& id, const std::string& type, const std::exception& error);
-
-/// A text frame; bytes that are no UTF-8 are replaced.
-std::string dumped(const Tree& tree);
 
 }  // namespace nacre::studio

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "apps/studio/messages/stage.h"
 #include "apps/studio/page_files.h"
 #include "apps/studio/schema.h"
-#include "apps/studio/stage.h"
 #include "nacre/core/error.h"
 #include "nacre/core/text.h"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "apps/studio/http_rules.h"
+#include "apps/studio/messages/http_rules.h"
 
 // What GET requests are answered with, once they may be: the files of the page, and the API's data.
 

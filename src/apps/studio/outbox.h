@@ -7,15 +7,9 @@
 #include <utility>
 #include <vector>
 
-namespace nacre::studio {
+#include "apps/studio/messages/frames.h"
 
-/// A frame of text, and the binary one that follows it; empty: none does.
-struct Frame {
-    std::string text, binary;
-    /// The name of a program in it, which a page is sent once: the text then is `text_when_new`.
-    std::string program = {}, text_when_new = {};
-};
-using Frames = std::vector<Frame>;
+namespace nacre::studio {
 
 /// Frames that belong together. Of those of one kind only the newest is of interest.
 struct Answer {

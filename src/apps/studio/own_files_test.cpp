@@ -1,4 +1,4 @@
-#include "apps/studio/own_files.h"
+#include "apps/studio/messages/own_files.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <random>
 
 #include "apps/studio/answers.h"
-#include "apps/studio/stage.h"
+#include "apps/studio/messages/stage.h"
 #include "nacre/core/base64.h"
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"

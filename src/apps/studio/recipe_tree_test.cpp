@@ -1,11 +1,11 @@
-#include "apps/studio/recipe_tree.h"
+#include "apps/studio/messages/recipe_tree.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "apps/studio/messages.h"
+#include "apps/studio/messages/messages.h"
 #include "apps/studio/schema.h"
 #include "nacre/core/file.h"
 #include "nacre/io/recipe_file.h"

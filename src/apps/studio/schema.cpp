@@ -7,7 +7,7 @@
 
 #include "apps/datasheet/catalogue.h"
 #include "apps/datasheet/composition.h"
-#include "apps/studio/stage.h"
+#include "apps/studio/messages/stage.h"
 #include "nacre/core/csv.h"
 #include "nacre/core/error.h"
 #include "nacre/core/version.h"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "apps/studio/recipe_tree.h"
+#include "apps/studio/messages/recipe_tree.h"
 #include "nacre/core/progress.h"
 
 // What a page must know to offer a recipe's keys and what ships with Nacre: GET /api/schema. Its

@@ -15,8 +15,8 @@
 #include <utility>
 
 #include "apps/studio/http_answers.h"
-#include "apps/studio/http_rules.h"
-#include "apps/studio/messages.h"
+#include "apps/studio/messages/http_rules.h"
+#include "apps/studio/messages/messages.h"
 #include "apps/studio/session.h"
 #include "nacre/core/error.h"
 

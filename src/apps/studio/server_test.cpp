@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-#include "apps/studio/messages.h"
+#include "apps/studio/messages/messages.h"
 #include "apps/studio/page_files.h"
 #include "apps/studio/server_test_support.h"
 #include "nacre/core/error.h"

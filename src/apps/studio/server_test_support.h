@@ -5,7 +5,7 @@
 #include <string>
 #include <thread>
 
-#include "apps/studio/recipe_tree.h"
+#include "apps/studio/messages/recipe_tree.h"
 #include "apps/studio/server.h"
 
 // Only for tests: a server that runs, asked through its sockets. Beast stays in the .cpp.

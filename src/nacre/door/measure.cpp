@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <map>
 #include <numbers>
-#include <set>
 
 #include "nacre/core/file.h"
 #include "nacre/core/text.h"
@@ -149,33 +148,6 @@ Readings estimated(const std::string& name, const paint::Recipe& recipe,
     return readings;
 }
 
-/// "45as15,45as25az90,45to30,90".
-std::vector<Geometry> parse_list(const std::string& text) {
-    std::vector<std::string> names;
-    for (const std::string_view part : split(text, ',')) {
-        // The comma of "45to30,90" separates theta and phi.
-        if (!names.empty() && names.back().find("to") != std::string::npos &&
-            names.back().find(',') == std::string::npos) {
-            names.back() += "," + std::string(part);
-        } else {
-            names.emplace_back(part);
-        }
-    }
-    std::vector<Geometry> list;
-    std::set<std::string> seen;
-    for (const std::string& name : names) {
-        try {
-            list.push_back(measure::parse_geometry(name));
-        } catch (const DomainError& error) {
-            throw SettingError("geometry", error.what(), text);
-        }
-        if (!seen.insert(list.back().name).second) {
-            throw SettingError("geometry", list.back().name + " appears twice", text);
-        }
-    }
-    return list;
-}
-
 }  // namespace
 
 std::string Readings::csv() const { return io::measurement_csv(measurement, standard_error); }
@@ -185,7 +157,13 @@ std::vector<Geometry> geometries(const std::string& text) {
     if (is_stream(text) || std::filesystem::path(text).extension() == ".toml") {
         return io::read_geometry_set(text).geometries;
     }
-    if (!text.empty() && text[0] >= '0' && text[0] <= '9') return parse_list(text);
+    if (!text.empty() && text[0] >= '0' && text[0] <= '9') {
+        try {
+            return measure::parse_geometries(text);
+        } catch (const DomainError& error) {
+            throw SettingError("geometry", error.what(), text);
+        }
+    }
     std::vector<std::string> names;
     for (const measure::GeometrySet& set : measure::geometry_sets()) names.push_back(set.name);
     throw SettingError(

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "nacre/core/angles.h"
@@ -190,6 +191,28 @@ Geometry parse_geometry(std::string_view name) {
         "'{}' is no geometry; one is written 45as15 or 45as-15 (lamp and aspecular angle), "
         "45as25az90 (turned about the mirror direction) or 45to30,90 (theta and phi of the view)",
         excerpt(name)));
+}
+
+std::vector<Geometry> parse_geometries(std::string_view list) {
+    std::vector<std::string> names;
+    for (const std::string_view part : split(list, ',')) {
+        // The comma of "45to30,90" separates theta and phi.
+        if (!names.empty() && names.back().find("to") != std::string::npos &&
+            names.back().find(',') == std::string::npos) {
+            names.back() += "," + std::string(part);
+        } else {
+            names.emplace_back(part);
+        }
+    }
+    std::vector<Geometry> geometries;
+    std::set<std::string> seen;
+    for (const std::string& name : names) {
+        geometries.push_back(parse_geometry(name));
+        if (!seen.insert(geometries.back().name).second) {
+            throw DomainError(geometries.back().name + " appears twice");
+        }
+    }
+    return geometries;
 }
 
 // The sets that are built in. Sources: docs/measure.md.

@@ -47,6 +47,10 @@ Geometry towards(double theta_i_deg, double theta_o_deg, double phi_deg);
 /// @throws DomainError naming the text if it is none of these, or as in_plane()
 Geometry parse_geometry(std::string_view name);
 
+/// A list of them, as "45as15,45as25az90,45to30,90".
+/// @throws DomainError as parse_geometry(); naming a geometry that appears twice
+std::vector<Geometry> parse_geometries(std::string_view list);
+
 /// Whether the view lies in the plane of the lamp and the normal.
 bool is_in_plane(const Geometry& geometry);
 
@@ -60,6 +64,9 @@ struct GeometrySet {
 
     friend bool operator==(const GeometrySet&, const GeometrySet&) = default;
 };
+
+/// The set that is taken where none is named.
+inline constexpr const char* kDefaultGeometries = "byk-mac";
 
 /// The sets that are built in: docs/measure.md has their sources.
 std::span<const GeometrySet> geometry_sets();

@@ -1,4 +1,4 @@
-#include "apps/studio/messages.h"
+#include "apps/studio/messages/messages.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,9 +12,6 @@
 #include "nacre/fit/fit.h"
 #include "nacre/io/image.h"
 #include "nacre/io/table_reader.h"
-#include "nacre/models/models.h"
-#include "nacre/models/traced/traced_models.h"
-#include "nacre/nacre.h"
 
 namespace nacre::studio {
 
@@ -148,7 +145,7 @@ spectra::Illuminant illuminant_of(Fields& fields, const char* key) {
 
 Viewed viewed_of(Fields& fields) {
     Viewed viewed;
-    const std::string set = fields.text("geometries", kDefaultGeometries, 10'000);
+    const std::string set = fields.text("geometries", measure::kDefaultGeometries, 10'000);
     // Neither files nor the standard input: what is no set and no list is refused.
     viewed.geometries = fields.parsed("geometries", [&] {
         if (const auto* known = measure::find_geometry_set(set)) return known->geometries;
@@ -159,7 +156,7 @@ Viewed viewed_of(Fields& fields) {
                 fmt::format("is no set{}; there are {}; or give a list as in 45as15,45as110",
                             did_you_mean(set, names), fmt::join(names, ", ")));
         }
-        return geometries(set);
+        return measure::parse_geometries(set);
     });
     if (viewed.geometries.size() > kMaxGeometries) {
         fields.fail("geometries", fmt::format("at most {} are allowed", kMaxGeometries));

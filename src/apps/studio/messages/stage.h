@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "apps/studio/own_files.h"
-#include "apps/studio/recipe_tree.h"
+#include "apps/studio/messages/own_files.h"
+#include "apps/studio/messages/recipe_tree.h"
 #include "nacre/core/error.h"
 #include "nacre/render/scene.h"
 

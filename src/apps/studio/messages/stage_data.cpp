@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "apps/studio/stage.h"
+#include "apps/studio/messages/stage.h"
 #include "nacre/core/angles.h"
 #include "nacre/render/emission.h"
 #include "nacre/render/environment.h"

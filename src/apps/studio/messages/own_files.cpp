@@ -1,4 +1,4 @@
-#include "apps/studio/own_files.h"
+#include "apps/studio/messages/own_files.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "apps/studio/http_rules.h"
+#include "apps/studio/messages/http_rules.h"
 
 #include <fmt/format.h>
 #include <sys/random.h>

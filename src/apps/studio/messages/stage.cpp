@@ -1,4 +1,4 @@
-#include "apps/studio/stage.h"
+#include "apps/studio/messages/stage.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

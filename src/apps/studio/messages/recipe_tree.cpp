@@ -1,4 +1,4 @@
-#include "apps/studio/recipe_tree.h"
+#include "apps/studio/messages/recipe_tree.h"
 
 #include <fmt/format.h>
 

@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
-#include "apps/studio/recipe_tree.h"
-#include "apps/studio/stage.h"
+#include "apps/studio/messages/recipe_tree.h"
+#include "apps/studio/messages/stage.h"
 #include "nacre/measure/geometry.h"
 #include "nacre/measure/tolerance.h"
 #include "nacre/spectra/observer.h"
