@@ -11,7 +11,7 @@
 // bar shows how far it is.
 
 int main(int argc, char** argv) {
-    if (argc != 3 && argc != 5) {
+    if ((argc != 3 && argc != 5) || std::filesystem::path(argv[2]).extension() != ".exr") {
         std::fprintf(stderr, "usage: picture PAINT PICTURE.exr [SIZE SAMPLES_PER_PIXEL]\n");
         return 1;
     }

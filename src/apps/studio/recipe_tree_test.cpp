@@ -181,6 +181,8 @@ TEST(StudioMessages, AreRefusedNamingKeyAndWhatIsAllowed) {
                 HasSubstr("is no set"));
     EXPECT_THAT(refusal(R"({"type": "paint", "recipe": {}, "geometries": "-"})"),
                 HasSubstr("is no set"));
+    EXPECT_EQ(refusal(R"({"type": "paint", "recipe": {}, "geometries": "45as15,45as15"})"),
+              "geometries = \"45as15,45as15\": 45as15 appears twice");
     EXPECT_THAT(refusal(R"({"type": "paint", "recipe": {}, "colour": 1})"),
                 HasSubstr("no such key"));
     EXPECT_THAT(refusal(R"({"type": "render", "recipe": {}, "width": 0})"),

@@ -120,6 +120,16 @@ TEST(Geometry, RefusesWhatIsNoneOrBelowTheHorizon) {
     EXPECT_THROW(towards(45, 30, NAN), DomainError);
 }
 
+TEST(Geometry, ListsHoldTheCommaOfAView) {
+    EXPECT_THAT(parse_geometries("45as15,45to30,90,45as25az90"),
+                ElementsAre(parse_geometry("45as15"), parse_geometry("45to30,90"),
+                            parse_geometry("45as25az90")));
+    EXPECT_THAT([] { parse_geometries("45as15,45/15"); },
+                ThrowsMessage<DomainError>("45as15 appears twice"));
+    EXPECT_THAT([] { parse_geometries("45as15,"); },
+                ThrowsMessage<DomainError>(HasSubstr("'' is no geometry")));
+}
+
 TEST(GeometrySets, AreWhatTheStandardsAndTheInstrumentsRead) {
     EXPECT_THAT(names("astm-e2194"), ElementsAre("45as15", "45as45", "45as110"));
     EXPECT_THAT(names("astm-e2539"),
