@@ -44,22 +44,19 @@ std::string flake_layers_text(const WebglShader::Layout& layout) {
     WebglLines lines;
     webgl_gaps(layout, lines);
     for (std::size_t n = 0; n < layout.layers.size(); ++n) {
-        lines.add("for (int g = 0; g < 4; ++g) here[g] = nacreLayer[{}].x * nacreRate({}, g, p);",
-                  n, layout.layers[n].extinction);
+        lines.add_for_groups(fmt::format("here[@] = nacreLayer[{}].x * nacreRate({}, @, p);", n,
+                                         layout.layers[n].extinction));
         if (!layout.layers[n].flakes.empty()) {
             lines.add("if (NACRE_LAYERS[s] == {}) {{", n);
             const std::string gain = webgl_gain(layout, n, "place", "    ", lines);
-            lines.add("    for (int g = 0; g < 4; ++g) {{");
-            lines.add("        vec4 left = exp({} - depth[g] - here[g] * place);", gain);
-            lines.add(
-                "        vec4 own = nacreRow(NACRE_REFLECTANCES[s], g, p.cosine) * nacreFilm(s, g, "
-                "p.cosine, body.y);");
-            lines.add("        sum += nacreRgb(own * left, g);");
-            lines.add("    }}");
+            lines.add_for_groups(fmt::format(
+                "    sum += nacreRgb(nacreRow(NACRE_REFLECTANCES[s], @, p.cosine) * "
+                "nacreFilm(s, @, p.cosine, body.y) * exp({} - depth[@] - here[@] * place), @);",
+                gain));
             lines.add("    sum *= nacreLayer[{}].x;", n);
             lines.add("}}");
         }
-        lines.add("for (int g = 0; g < 4; ++g) depth[g] += here[g];");
+        lines.add_for_groups("depth[@] += here[@];");
     }
     return std::move(lines).text();
 }

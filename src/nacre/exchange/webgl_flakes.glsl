@@ -298,7 +298,8 @@ float nacrePlace(uvec2 body) { return nacreUnit(body.x); }
 vec3 nacreFlakeColour(int s, uvec2 body, vec3 wi, vec3 wo, NacrePair p) {
     float place = nacrePlace(body);
     vec4 depth[4], here[4];
-    for (int g = 0; g < 4; ++g) depth[g] = nacreDepth[g] * (1. / p.i.z + 1. / p.o.z);
+    float path = 1. / p.i.z + 1. / p.o.z;
+    @DEPTHS@
     vec3 sum = vec3(0.);
     @FLAKE_LAYERS@
 #if NACRE_SMOOTH_COAT

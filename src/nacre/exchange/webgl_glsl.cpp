@@ -15,6 +15,14 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
     }
 }
 
+void WebglLines::add_for_groups(std::string_view line) {
+    for (int g = 0; g < 4; ++g) {
+        std::string one(line);
+        replace_all(one, "@", fmt::format("{}", g));
+        add("{}", one);
+    }
+}
+
 std::string webgl_gain(const WebglShader::Layout& layout, std::size_t layer, const char* u,
                        const char* indent, WebglLines& lines) {
     std::string gain;
@@ -29,15 +37,16 @@ std::string webgl_gain(const WebglShader::Layout& layout, std::size_t layer, con
             own < layer ? fmt::format("{} - nacreLayer[{}].x", far, own) : std::string("0.");
         lines.add("{}float share{} = nacreShared({}, {}, p.spread / nacreGap[{}]);", indent, k, far,
                   near, k);
-        gain += fmt::format("{}gap{}[g] * share{}", gain.empty() ? "" : " + ", k, k);
+        gain += fmt::format("{}gap{}[@] * share{}", gain.empty() ? "" : " + ", k, k);
     }
     return gain.empty() ? "vec4(0.)" : gain;
 }
 
 void webgl_gaps(const WebglShader::Layout& layout, WebglLines& lines) {
     for (std::size_t k = 0; k < layout.gaps.size(); ++k) {
-        lines.add("vec4 gap{0}[4]; for (int g = 0; g < 4; ++g) gap{0}[g] = nacreBoth({1}, g, p);",
-                  k, layout.gaps[k].coupling);
+        lines.add("vec4 gap{}[4];", k);
+        lines.add_for_groups(
+            fmt::format("gap{}[@] = nacreBoth({}, @, p);", k, layout.gaps[k].coupling));
     }
 }
 
@@ -50,40 +59,44 @@ void add_layer(const WebglShader::Layout& layout, std::size_t n, std::size_t& fl
     for (std::size_t k = flakes; apart && k < flakes + layer.flakes.size(); ++k) {
         lines.add("float rest{0} = whole ? 1. : nacreRest({0}, p);", k);
     }
-    lines.add("for (int g = 0; g < 4; ++g) {{");
-    lines.add("    here[g] = nacreLayer[{}].x * nacreRate({}, g, p); kernel[g] = vec4(0.);", n,
-              layer.extinction);
+    lines.add_for_groups(fmt::format(
+        "here[@] = nacreLayer[{}].x * nacreRate({}, @, p); kernel[@] = vec4(0.);", n,
+        layer.extinction));
     for (const auto& flake : layer.flakes) {
-        lines.add("    kernel[g] += nacreLobe(nacreFlake[{0}], p) * nacreRow({1}, g, p.cosine){2};",
-                  flakes, flake.reflectance, apart ? fmt::format(" * rest{}", flakes) : "");
+        const std::string rest = apart ? fmt::format(" * rest{}", flakes) : "";
+        lines.add("lobe = nacreLobe(nacreFlake[{}], p){};", flakes, rest);
+        lines.add_for_groups(
+            fmt::format("kernel[@] += lobe * nacreRow({}, @, p.cosine);", flake.reflectance));
         ++flakes;
     }
     for (const auto& pigment : layer.pigments) {
-        const std::string phase =
-            pigment.phase
-                ? fmt::format("nacreRow({}, g, acos(clamp(-p.turned, -1., 1.)) / PI)",
-                              *pigment.phase)
-                : fmt::format("nacreHenyeyGreenstein(nacreAnisotropy[{}], p.turned)", pigments);
-        lines.add("    kernel[g] += {} * nacreScattering[{} + g];", phase, 4 * pigments++);
+        std::string phase = "lobe";
+        if (pigment.phase) {
+            lines.add("angle = acos(clamp(-p.turned, -1., 1.)) / PI;");
+            phase = fmt::format("nacreRow({}, @, angle)", *pigment.phase);
+        } else {
+            lines.add("lobe = nacreHenyeyGreenstein(nacreAnisotropy[{}], p.turned);", pigments);
+        }
+        lines.add_for_groups(
+            fmt::format("kernel[@] += {} * nacreScattering[{} + @];", phase, 4 * pigments++));
     }
-    lines.add("    escape[g] = {};", layout.gaps.empty() ? "nacreEscape(here[g])" : "vec4(0.)");
-    lines.add("}}");
-    if (!layout.gaps.empty()) {
+    if (layout.gaps.empty()) {
+        lines.add_for_groups("escape[@] = nacreEscape(here[@]);");
+    } else {
+        lines.add_for_groups("escape[@] = vec4(0.);");
         lines.add(
             "reach = min(1., NACRE_FARTHEST / max(nacreLeast(min(min(here[0], here[1]), "
             "min(here[2], here[3]))), 1e-20));");
         lines.add("for (int k = 0; k < NACRE_NODES; ++k) {{");
         lines.add("    float u = reach * NACRE_NODE[k].x, weight = reach * NACRE_NODE[k].y;");
         const std::string gain = webgl_gain(layout, n, "u", "    ", lines);
-        lines.add("    for (int g = 0; g < 4; ++g) escape[g] += weight * exp({} - here[g] * u);",
-                  gain);
+        lines.add_for_groups(
+            fmt::format("    escape[@] += weight * exp({} - here[@] * u);", gain));
         lines.add("}}");
     }
-    lines.add("for (int g = 0; g < 4; ++g) {{");
-    lines.add("    once += nacreRgb(kernel[g] * exp(-depth[g]) * nacreLayer[{}].x * escape[g], g);",
-              n);
-    lines.add("    depth[g] += here[g];");
-    lines.add("}}");
+    lines.add_for_groups(fmt::format(
+        "once += nacreRgb(kernel[@] * exp(-depth[@]) * nacreLayer[{}].x * escape[@], @);", n));
+    lines.add_for_groups("depth[@] += here[@];");
 }
 
 /// The body of nacreLight().
@@ -99,12 +112,10 @@ std::string layers_text(const WebglShader::Layout& layout) {
         return std::move(lines).text();
     }
     const std::string gain = webgl_gain(layout, layout.layers.size() - 1, "1.", "", lines);
-    lines.add("for (int g = 0; g < 4; ++g) {{");
-    lines.add("    closing = nacreBoth({}, g, p);", *layout.closing);
-    lines.add("    rest += nacreRgb(closing, g);");
-    lines.add("    ground += nacreRgb((exp({}) - closing) * nacreBoth({}, g, p), g);", gain,
-              *layout.ground);
-    lines.add("}}");
+    lines.add_for_groups(fmt::format(
+        "closing = nacreBoth({}, @, p); rest += nacreRgb(closing, @); "
+        "ground += nacreRgb((exp({}) - closing) * nacreBoth({}, @, p), @);",
+        *layout.closing, gain, *layout.ground));
     return std::move(lines).text();
 }
 
@@ -153,6 +164,9 @@ std::string webgl_glsl(const WebglShader::Layout& layout, const std::string& num
             : "/// Of a species, what single flakes are not: 1 of their mean where none are "
               "shown.\nfloat nacreRest(int species, NacrePair p);\n\n");
     if (!layout.species.empty()) text += webgl_flakes_glsl(layout);
+    WebglLines depths;
+    depths.add_for_groups("depth[@] = nacreDepth[@] * path;");
+    replace_all(text, "@DEPTHS@", std::move(depths).text());
     return text;
 }
 

@@ -101,6 +101,9 @@ class WebglLines {
         if (!text_.empty()) text_ += "\n    ";
         text_ += fmt::format(format, std::forward<Args>(args)...);
     }
+    /// Adds a line for each group of bands, whose number takes the place of `@`: processors that draw
+    /// (SwiftShader) unroll no loop, and take a third longer where a variable says which element.
+    void add_for_groups(std::string_view line);
     std::string text() && { return std::move(text_); }
 
  private:
@@ -124,7 +127,7 @@ inline constexpr int kWebglFilmIntervals = 32;
 WebglFilms webgl_films(const bsdf::SpeciesFilms& species);
 
 /// Declares share0, share1, ..., lengths by which the gaps of each species help light from the fraction
-/// `u` of a layer's thickness, and returns ln of what they let through of the group g.
+/// `u` of a layer's thickness, and returns ln of what they let through, for add_for_groups().
 std::string webgl_gain(const WebglShader::Layout& layout, std::size_t layer, const char* u,
                        const char* indent, WebglLines& lines);
 /// Declares gap0, gap1, ... of a pair p.

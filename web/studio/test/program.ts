@@ -42,13 +42,12 @@ export class Program {
 }
 
 /**
- * Debian's Chromium. WebGL 2 is drawn by the processor, which then has less time for all else, or as the
- * flags in NACRE_WEBGL say: by a graphics card that Vulkan knows with
+ * Debian's Chromium. WebGL 2 is drawn by the processor, and the page beside it, as Chromium does where there is
+ * no graphics card and this flag; or as the flags in NACRE_WEBGL say: by a card that Vulkan knows with
  * "--use-angle=vulkan --enable-features=Vulkan --disable-vulkan-surface --ignore-gpu-blocklist".
  */
 export function launch(webgl = true): Promise<Browser> {
-    const flags =
-        env.NACRE_WEBGL ?? "--use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader";
+    const flags = env.NACRE_WEBGL ?? "--enable-unsafe-swiftshader";
     return chromium.launch({
         executablePath: "/usr/bin/chromium",
         args: ["--no-sandbox", ...(webgl ? flags.split(" ") : ["--disable-3d-apis"])],

@@ -11,6 +11,8 @@ import { History } from "../src/history";
 import { Latest } from "../src/latest";
 import { fromFragment, toFragment } from "../src/link";
 import { fitted, orbitOf, turned, wrapped } from "../src/orbit";
+import { coarser } from "../src/renderer/coarse_mesh";
+import type { Mesh } from "../src/renderer/paint";
 import type { KeyInfo } from "../src/schema";
 import {
     allows,
@@ -320,6 +322,71 @@ test("a camera is angles about the shape, and turning stops before the poles", (
     assert.equal(turned(orbit, 500).elevation_deg, 85);
     assert.equal(wrapped(190), -170);
     assert.equal(wrapped(-540), 180);
+});
+
+/** A grid of places over two sides of length 1, and their normals. */
+function sheet(columns: number, rows: number, at: (u: number, v: number) => number[]): Mesh {
+    const places: number[] = [];
+    const indices: number[] = [];
+    for (let row = 0; row <= rows; ++row) {
+        for (let column = 0; column <= columns; ++column) {
+            places.push(...at(column / columns, row / rows));
+            if (row === rows || column === columns) continue;
+            const first = row * (columns + 1) + column;
+            const above = first + columns + 1;
+            indices.push(first, first + 1, above, above, first + 1, above + 1);
+        }
+    }
+    const part = (from: number) =>
+        Float32Array.from(places.filter((_, i) => i % 6 >= from && i % 6 < from + 3));
+    return { positions: part(0), normals: part(3), indices: Uint32Array.from(indices) };
+}
+
+test("a coarse picture's ball has fewer triangles, as far from the middle and facing the same way", () => {
+    const radius = 40;
+    const ball = sheet(256, 128, (u, v) => {
+        const [phi, theta] = [2 * Math.PI * u, Math.PI * v];
+        const n = [
+            Math.sin(theta) * Math.cos(phi),
+            Math.sin(theta) * Math.sin(phi),
+            Math.cos(theta),
+        ];
+        return [...n.map((x) => radius * x), ...n];
+    });
+    for (const cell of [2, 4, 8]) {
+        const { positions, normals, indices } = coarser(ball, cell);
+        assert.ok(indices.length > 0 && indices.length < ball.indices.length / 2);
+        // Means of places on a ball lie below it by at most the height of a cell's cap.
+        const cap = radius - Math.sqrt(radius ** 2 - 0.75 * cell ** 2);
+        for (let i = 0; i < positions.length; i += 3) {
+            const place = Array.from(positions.subarray(i, i + 3));
+            const normal = Array.from(normals.subarray(i, i + 3));
+            const [far, length] = [Math.hypot(...place), Math.hypot(...normal)];
+            assert.ok(far < radius * 1.00001 && far > radius - 2 * cap, `${String(far)} mm`);
+            const cosine =
+                place.reduce((sum, x, k) => sum + x * (normal[k] as number), 0) / far / length;
+            assert.ok(cosine > 0.9999, `cosine ${String(cosine)}`);
+        }
+        assert.ok(indices.every((vertex) => 3 * vertex < positions.length));
+    }
+});
+
+test("both sides of a thin plate are kept apart, and a mesh of few triangles is left as it is", () => {
+    const side = (z: number, facing: number) =>
+        sheet(40, 40, (u, v) => [10 * u, 10 * v, z, 0, 0, facing]);
+    const [top, below] = [side(0.01, 1), side(0, -1)];
+    const plate: Mesh = {
+        positions: Float32Array.of(...top.positions, ...below.positions),
+        normals: Float32Array.of(...top.normals, ...below.normals),
+        indices: Uint32Array.of(...top.indices, ...below.indices.map((i) => i + 41 * 41)),
+    };
+    const { positions, normals, indices } = coarser(plate, 1);
+    assert.ok(indices.length < plate.indices.length / 10);
+    for (let i = 0; i < positions.length; i += 3) {
+        const facing = (normals[i + 2] as number) > 0 ? 1 : -1;
+        assert.ok(Math.abs((positions[i + 2] as number) - (facing > 0 ? 0.01 : 0)) < 1e-6);
+    }
+    assert.equal(coarser(plate, 0.1), plate);
 });
 
 test("files are named after the paint, and by no path", () => {

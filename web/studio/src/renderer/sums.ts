@@ -15,6 +15,8 @@ export class Sums {
     samples = 0;
     /** That have the sample under way. */
     rows = 0;
+    /** Number of the place in its pixels where the first sample looked, and each later one further on. */
+    private first = 0;
 
     /** @param type  of the sums: floats of one or the other width */
     constructor(
@@ -25,6 +27,24 @@ export class Sums {
     ) {
         this.target = makeTarget(renderer, width, height, type, { count: 2 });
         this.shape = makeTarget(renderer, width, height, FloatType, { count: 2, depth: true });
+    }
+
+    /** Number of the place where the sample under way looks. */
+    get place(): number {
+        return this.first + this.samples;
+    }
+
+    /** Begins anew, of another view. */
+    restart(): void {
+        this.samples = this.rows = this.first = 0;
+        this.shapeFrom = null;
+    }
+
+    /** Begins anew where it looked last, as triangles may take longer than a coarse picture. */
+    restartWhereSeen(): void {
+        if (this.rows === 0 && this.samples > 0) --this.samples;
+        this.first = this.place;
+        this.samples = this.rows = 0;
     }
 
     /** So many rows more have the sample under way. */
