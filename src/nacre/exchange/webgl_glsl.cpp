@@ -59,9 +59,9 @@ void add_layer(const WebglShader::Layout& layout, std::size_t n, std::size_t& fl
     for (std::size_t k = flakes; apart && k < flakes + layer.flakes.size(); ++k) {
         lines.add("float rest{0} = whole ? 1. : nacreRest({0}, p);", k);
     }
-    lines.add_for_groups(fmt::format(
-        "here[@] = nacreLayer[{}].x * nacreRate({}, @, p); kernel[@] = vec4(0.);", n,
-        layer.extinction));
+    lines.add_for_groups(
+        fmt::format("here[@] = nacreLayer[{}].x * nacreRate({}, @, p); kernel[@] = vec4(0.);", n,
+                    layer.extinction));
     for (const auto& flake : layer.flakes) {
         const std::string rest = apart ? fmt::format(" * rest{}", flakes) : "";
         lines.add("lobe = nacreLobe(nacreFlake[{}], p){};", flakes, rest);
@@ -90,8 +90,7 @@ void add_layer(const WebglShader::Layout& layout, std::size_t n, std::size_t& fl
         lines.add("for (int k = 0; k < NACRE_NODES; ++k) {{");
         lines.add("    float u = reach * NACRE_NODE[k].x, weight = reach * NACRE_NODE[k].y;");
         const std::string gain = webgl_gain(layout, n, "u", "    ", lines);
-        lines.add_for_groups(
-            fmt::format("    escape[@] += weight * exp({} - here[@] * u);", gain));
+        lines.add_for_groups(fmt::format("    escape[@] += weight * exp({} - here[@] * u);", gain));
         lines.add("}}");
     }
     lines.add_for_groups(fmt::format(
@@ -112,10 +111,10 @@ std::string layers_text(const WebglShader::Layout& layout) {
         return std::move(lines).text();
     }
     const std::string gain = webgl_gain(layout, layout.layers.size() - 1, "1.", "", lines);
-    lines.add_for_groups(fmt::format(
-        "closing = nacreBoth({}, @, p); rest += nacreRgb(closing, @); "
-        "ground += nacreRgb((exp({}) - closing) * nacreBoth({}, @, p), @);",
-        *layout.closing, gain, *layout.ground));
+    lines.add_for_groups(
+        fmt::format("closing = nacreBoth({}, @, p); rest += nacreRgb(closing, @); "
+                    "ground += nacreRgb((exp({}) - closing) * nacreBoth({}, @, p), @);",
+                    *layout.closing, gain, *layout.ground));
     return std::move(lines).text();
 }
 

@@ -236,6 +236,7 @@ export class LiveView {
     }
 
     resume(): void {
+        if (!this.stopped) return;
         this.stopped = false;
         this.dirty = true;
         this.schedule();
