@@ -242,7 +242,7 @@ test("flakes stay in sight while a slider moves what lies around them", async ()
     const scene = { paint: "red-gold", shape: "macro", light: "microscope", size: 96 };
     const key = ["substrate", "reflectance"];
     const { coarseness, first, whole } = await browser.page.evaluate(
-        ([where, path]) => window.moved(where, 16, path, 0.5),
+        ([where, path]) => window.moved(where, 16, path, 0.5, true),
         [scene, key] as const,
     );
     const found = correlation(glitter(first), glitter(whole));

@@ -81,3 +81,47 @@ for (const { paint, light } of SCENES) {
         assert.ok(sum / count < 2);
     });
 }
+
+test("what a slider shows first has the whole picture's light, without grain", async () => {
+    const [size, block, samples] = [480, 40, 4];
+    const { coarseness, first, whole } = await browser.page.evaluate(
+        ([where, count, path]) => window.moved(where, count, path, 0.5, false),
+        [
+            { paint: "red-gold", shape: "ball", light: "studio", size },
+            samples,
+            ["substrate", "reflectance"],
+        ] as const,
+    );
+    /** Mean luminance of a block, as far as a screen shows it. */
+    const meanOf = ({ data }: typeof whole, column: number, row: number): number => {
+        let sum = 0;
+        for (let y = row; y < row + block; ++y) {
+            for (let x = column; x < column + block; ++x) {
+                [0.2126, 0.7152, 0.0722].forEach((weight, c) => {
+                    sum += weight * Math.min(Math.max(data[4 * (size * y + x) + c] ?? 0, 0), 1);
+                });
+            }
+        }
+        return sum / block ** 2;
+    };
+    const apart: number[] = [];
+    const light: number[] = [];
+    for (let row = 0; row < size; row += block) {
+        for (let column = 0; column < size; column += block) {
+            const far = Math.hypot(column + block / 2 - size / 2, row + block / 2 - size / 2);
+            if (far > 0.36 * size) continue;
+            light.push(meanOf(whole, column, row));
+            apart.push(meanOf(first, column, row) - meanOf(whole, column, row));
+        }
+    }
+    const mean = (values: readonly number[]) => values.reduce((a, b) => a + b, 0) / values.length;
+    const grain = Math.sqrt(mean(apart.map((x) => x ** 2))) / mean(light);
+    const shift = mean(apart) / mean(light);
+    console.log(
+        `a slider's first picture, ${String(coarseness)} times coarser: ${(100 * grain).toFixed(1)} % from the whole one, ${(100 * shift).toFixed(1)} % on average`,
+    );
+    if (coarseness === 1) return; // a machine that draws the whole picture at once
+    // Each pixel by itself: 17 to 22 % and -5 to -10 %, as screens show no more than white.
+    assert.ok(Math.abs(shift) < 0.06);
+    assert.ok(grain < 0.145);
+});

@@ -120,9 +120,10 @@ async function moved(
     samples: number,
     key: Path,
     value: number,
+    sparkle: boolean,
 ): Promise<{ coarseness: number; first: LivePicture; whole: LivePicture }> {
     const views = new Views(samples);
-    await views.begin(scene, true);
+    await views.begin(scene, sparkle);
     await views.shown(
         await shaderOf(scene.paint, scene.light),
         (state) => state.samples >= samples,

@@ -10,11 +10,19 @@ import type { Texture, WebGLRenderer, WebGLRenderTarget } from "three";
 import { HalfFloatType, Vector2 } from "three";
 import type { PaintShader } from "./paint";
 import { makeTarget, Pass } from "./pass";
-import { AVERAGE, DISPLAY, EVERYWHERE } from "./passes";
+import { AVERAGE, DISPLAY, EVERYWHERE, SMOOTH } from "./passes";
 import type { Sums } from "./sums";
 
 /** Of the whole picture, from which on it is better than the coarse one. */
 export const ENOUGH = 4;
+
+/**
+ * Pixels of a side over which directions are dealt out [keller-heidrich-2001], and the mean is taken, in a
+ * coarse picture.
+ */
+export const INTERLEAVED = 5;
+/** Samples up to which the mean is that wide; then over three pixels. */
+const SMOOTHED_WIDE = 5;
 
 /** Of the picture before, so that each part of a pixel has been asked for its flakes. */
 const KEPT = 16;
@@ -36,6 +44,7 @@ function flakesOf(paint: PaintShader): string {
 export class Display {
     private readonly screen: Pass;
     private readonly average: Pass;
+    private readonly smooth: Pass;
     /** The last whole picture, and of which flakes; its means around the pixels of a coarse one. */
     private before: { sums: Sums; flakes: string; means: WebGLRenderTarget | null } | null = null;
     private glitters = false;
@@ -45,10 +54,11 @@ export class Display {
     constructor(private readonly renderer: WebGLRenderer) {
         this.screen = new Pass(renderer, EVERYWHERE, DISPLAY);
         this.average = new Pass(renderer, EVERYWHERE, AVERAGE);
+        this.smooth = new Pass(renderer, EVERYWHERE, SMOOTH);
     }
 
     ready(): boolean {
-        return this.screen.ready() && this.average.ready();
+        return this.screen.ready() && this.average.ready() && this.smooth.ready();
     }
 
     /**
@@ -81,7 +91,7 @@ export class Display {
         const hasCoarse = coarse !== null && coarse.samples > 0;
         const before = this.glitters && hasCoarse ? this.before : null;
         const was = before?.sums ?? whole;
-        if (hasCoarse) this.coarseMeans = this.meansOf(coarse, coarse, this.coarseMeans);
+        if (hasCoarse) this.coarseMeans = this.smoothed(coarse, this.coarseMeans);
         if (before !== null && !isLike(before.means, coarse as Sums)) {
             before.means = this.meansOf(before.sums, coarse as Sums, before.means);
         }
@@ -100,24 +110,42 @@ export class Display {
         this.screen.draw(null);
     }
 
-    /** Around the pixels of a picture that is as coarse or coarser. @param into  what was there before */
+    /** Of a coarse picture. @param into  what was there before */
+    private smoothed(sums: Sums, into: WebGLRenderTarget | null): WebGLRenderTarget {
+        const { target, shape, samples } = sums;
+        const means = this.meansLike(sums, into);
+        this.smooth.set({
+            sums: light(target),
+            sumsOfFlakes: flakes(target),
+            placeAt: shape.textures[0] as Texture,
+            facingAt: shape.textures[1] as Texture,
+            radius: samples <= SMOOTHED_WIDE ? (INTERLEAVED - 1) / 2 : 1,
+        });
+        this.smooth.draw(means);
+        return means;
+    }
+
+    /** Around the pixels of a coarser picture. @param into  what was there before */
     private meansOf(
         { target }: Sums,
         like: Sums,
         into: WebGLRenderTarget | null,
     ): WebGLRenderTarget {
-        const { width, height } = like.target;
-        let means = into;
-        if (means === null || !isLike(means, like)) {
-            means?.dispose();
-            means = makeTarget(this.renderer, width, height, HalfFloatType, { linear: true });
-        }
+        const means = this.meansLike(like, into);
         this.average.set({
             sums: light(target),
             sumsOfFlakes: flakes(target),
-            size: [width, height],
+            size: [means.width, means.height],
         });
         this.average.draw(means);
         return means;
+    }
+
+    /** What means are drawn into, for the screen to filter. */
+    private meansLike(like: Sums, into: WebGLRenderTarget | null): WebGLRenderTarget {
+        if (into !== null && isLike(into, like)) return into;
+        into?.dispose();
+        const { width, height } = like.target;
+        return makeTarget(this.renderer, width, height, HalfFloatType, { linear: true });
     }
 }

@@ -9,7 +9,7 @@
 import type { Texture, TextureDataType, WebGLRenderer } from "three";
 import { FloatType, HalfFloatType } from "three";
 import { coarser } from "./coarse_mesh";
-import { Display, ENOUGH } from "./display";
+import { Display, ENOUGH, INTERLEAVED } from "./display";
 import type { Part } from "./flakes";
 import { flakeValues, restMatrix, sampleOf } from "./flakes";
 import { lightValues } from "./lights";
@@ -52,8 +52,8 @@ const COARSE_SAMPLES = 24;
 const LEAST_COARSE = 3;
 const MOST_COARSE = 10;
 /** Sides of the cells in which a coarse picture's shape has one vertex, in its pixels, and at least. */
-const COARSE_CELL = 3;
-const LEAST_COARSE_CELL = 1.5;
+const COARSE_CELL = 2;
+const LEAST_COARSE_CELL = 1;
 /** Between looks whether a frame has been drawn. */
 const POLL_MS = 2;
 /** Of a sample that asks flakes, over one that does not, where processors draw. */
@@ -487,13 +487,14 @@ export class LiveView {
     }
 
     private shade(
-        { target, shape, samples, rows: from }: Sums,
+        sums: Sums,
         eye: Eye,
         part: Part,
         rows: number,
         shown: boolean,
         asks: boolean,
     ): void {
+        const { target, shape, samples, rows: from } = sums;
         const paint = this.paint as PaintShader;
         const camera = this.camera as Camera;
         const toRest = restMatrix(this.transform as Transform, this.turn_deg, camera.target_mm);
@@ -511,6 +512,7 @@ export class LiveView {
             shift: part.place,
             ...flakeValues(toRest, part, shown, asks),
             sampleIndex: samples,
+            interleaved: sums === this.whole ? 0 : INTERLEAVED,
         });
         pass.draw(target, [from, rows]);
     }

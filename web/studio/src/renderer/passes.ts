@@ -3,6 +3,11 @@
 import { FLAKES } from "./flakes";
 
 export const MOST_RECTANGLES = 4;
+/**
+ * Between the numbers of neighbours in a coarse picture: of 24 to 200 one by which the directions of the first
+ * samples of 5 x 5 pixels fill the square well, next ones none takes twice (0.17 between the nearest two).
+ */
+const APART = 115;
 
 export const HEAD = `
 precision highp float;
@@ -71,6 +76,7 @@ uniform vec3 upwards;
 uniform vec2 size;
 uniform vec2 shift;              // of this sample within its pixel
 uniform uint sampleIndex;
+uniform int interleaved;         // pixels of a side of which each takes other ones of the same numbers; 0: none
 layout(location = 0) out vec4 light;
 layout(location = 1) out vec4 flakes;  // their light apart, as not all samples ask them
 
@@ -79,14 +85,14 @@ uint mixBits(uint x) {
     x = (x ^ (x >> 15)) * 0x846ca68bu;
     return x ^ (x >> 16);
 }
-uint pixelBits;
+uint pixelBits, number;
 /// Numbers in [0, 1) that fill the square evenly from sample to sample, shifted by pixel.
 vec2 evenly(uint which) {
     uint a = mixBits(pixelBits + which * 0x9e3779b9u), b = mixBits(a);
-    return vec2((uvec2(a, b) + sampleIndex * uvec2(3242174889u, 2447445413u)) >> 8) * 0x1p-24_;
+    return vec2((uvec2(a, b) + number * uvec2(3242174889u, 2447445413u)) >> 8) * 0x1p-24_;
 }
 float evenlyOne(uint which) {
-    return float((mixBits(pixelBits ^ (which * 0x85ebca6bu)) + sampleIndex * 2654435769u) >> 8) * 0x1p-24_;
+    return float((mixBits(pixelBits ^ (which * 0x85ebca6bu)) + number * 2654435769u) >> 8) * 0x1p-24_;
 }
 
 vec2 placeOf(vec3 w) {
@@ -218,7 +224,12 @@ vec3 shaded(vec3 place, vec3 n, vec3 view, out vec3 ofFlakes) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    pixelBits = mixBits(uint(pixel.x) + mixBits(uint(pixel.y)));
+    pixelBits = interleaved > 0 ? 0u : mixBits(uint(pixel.x) + mixBits(uint(pixel.y)));
+    number = sampleIndex;
+    if (interleaved > 0) {
+        ivec2 within = pixel % interleaved;
+        number += ${String(APART)}u * uint(within.x + interleaved * within.y);
+    }
     vec4 place = texelFetch(placeAt, pixel, 0);
     vec3 value, ofFlakes = vec3(0.);
     if (place.w == 0.) {
@@ -259,6 +270,31 @@ void main() {
         if (known) sum += vec4(lightOf(sums, sumsOfFlakes, ivec2(x, y)), 1.);
     }
     around = min(mean(sum), 65504.); // the largest half float
+}`;
+
+/**
+ * Of a coarse picture of few samples, around its own pixels: where the shape faces the same way, as each of
+ * them has looked in directions of its own.
+ */
+export const SMOOTH = `${HEAD}${MEANS}
+uniform sampler2D sums;
+uniform sampler2D sumsOfFlakes;
+uniform sampler2D placeAt;
+uniform sampler2D facingAt;
+uniform int radius;
+out vec4 around;
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy), last = textureSize(sums, 0) - 1;
+    vec3 facing = texelFetch(facingAt, pixel, 0).xyz;
+    int reach = texelFetch(placeAt, pixel, 0).w > 0. ? radius : 0; // what lies behind has no noise
+    vec4 sum = vec4(0.);
+    for (int y = -reach; y <= reach; ++y) for (int x = -reach; x <= reach; ++x) {
+        ivec2 at = clamp(pixel + ivec2(x, y), ivec2(0), last);
+        bool alike = at == pixel || dot(texelFetch(facingAt, at, 0).xyz, facing) > .8;
+        bool known = texelFetch(sums, at, 0).a > 0.;
+        if (alike && known) sum += vec4(lightOf(sums, sumsOfFlakes, at), 1.);
+    }
+    around = min(mean(sum), 65504.);
 }`;
 
 /**
