@@ -42,8 +42,8 @@ export class Program {
 }
 
 /**
- * Debian's Chromium. WebGL 2 is drawn by the processor, and the page beside it, as Chromium does where there is
- * no graphics card and this flag; or as the flags in NACRE_WEBGL say: by a card that Vulkan knows with
+ * Debian's Chromium as it is without a graphics card: it draws the page itself, and WebGL 2 by SwiftShader, on
+ * the same processor, where this flag allows it. NACRE_WEBGL has other flags: a card that Vulkan knows takes
  * "--use-angle=vulkan --enable-features=Vulkan --disable-vulkan-surface --ignore-gpu-blocklist".
  */
 export function launch(webgl = true): Promise<Browser> {

@@ -387,6 +387,7 @@ test("both sides of a thin plate are kept apart, and a mesh of few triangles is 
         assert.ok(Math.abs((positions[i + 2] as number) - (facing > 0 ? 0.01 : 0)) < 1e-6);
     }
     assert.equal(coarser(plate, 0.1), plate);
+    assert.equal(coarser(plate, 1e-9), plate);
 });
 
 test("files are named after the paint, and by no path", () => {

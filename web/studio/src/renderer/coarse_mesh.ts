@@ -29,7 +29,9 @@ export function coarser(mesh: Mesh, cell: number): Mesh {
         high[axis] = Math.max(high[axis] as number, x);
     });
     const cells = low.map((from, axis) => Math.floor(((high[axis] as number) - from) / cell) + 1);
-    const [width = 1, height = 1] = cells;
+    const [width = 1, height = 1, depth = 1] = cells;
+    // Of so many cells none has two vertices, and numbers could not tell them apart.
+    if (6 * width * height * depth > Number.MAX_SAFE_INTEGER) return mesh;
 
     const clusterOf = new Uint32Array(count);
     const clusters = new Map<number, number>();
