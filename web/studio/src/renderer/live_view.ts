@@ -8,7 +8,6 @@
 
 import type { Texture, TextureDataType, WebGLRenderer } from "three";
 import { FloatType, HalfFloatType } from "three";
-import { coarser } from "./coarse_mesh";
 import { Display, ENOUGH, INTERLEAVED } from "./display";
 import type { Part } from "./flakes";
 import { flakeValues, restMatrix, sampleOf } from "./flakes";
@@ -17,9 +16,10 @@ import type { Light, Mesh, PaintFilms, PaintShader, Transform } from "./paint";
 import { Pace, REST_MS } from "./pace";
 import { uniformValues, withFilms } from "./paint";
 import { clear, filled, Pass, rendererOn } from "./pass";
-import { EVERYWHERE, MOST_RECTANGLES, SHAPE_FRAGMENT, SHAPE_VERTEX, shading } from "./passes";
+import { EVERYWHERE, MOST_RECTANGLES, shading } from "./passes";
+import { Shape } from "./shape";
 import type { Camera, Eye } from "./space";
-import { eyeOf, screenMatrix, shapeMatrix } from "./space";
+import { eyeOf } from "./space";
 import { Sums } from "./sums";
 import { surroundings } from "./surroundings";
 
@@ -51,9 +51,6 @@ const COARSE_SAMPLES = 24;
 /** Fine enough for lights; coarse enough for many samples of a pixel, and to tell glitter from its mean. */
 const LEAST_COARSE = 3;
 const MOST_COARSE = 10;
-/** Sides of the cells in which a coarse picture's shape has one vertex, in its pixels, and at least. */
-const COARSE_CELL = 2;
-const LEAST_COARSE_CELL = 1;
 /** Between looks whether a frame has been drawn. */
 const POLL_MS = 2;
 /** Of a sample that asks flakes, over one that does not, where processors draw. */
@@ -65,16 +62,12 @@ export class LiveView {
     private readonly renderer: WebGLRenderer;
     private readonly sumType: TextureDataType;
     private readonly mostSamples: number;
-    private readonly shape: Pass;
-    private readonly coarseShape: Pass;
+    private readonly shape: Shape;
     private readonly shown: Display;
     private readonly paints = new Map<string, Pass>();
     private readonly paintTextures = new Map<string, Texture>();
     private readonly lightTextures: Record<string, Texture> = {};
 
-    private mesh: Mesh | null = null;
-    /** Of the cells of coarseShape, in the mesh's units; 0: there are none yet. */
-    private coarseCell = 0;
     private transform: Transform | null = null;
     private light: Light | null = null;
     private camera: Camera | null = null;
@@ -112,8 +105,7 @@ export class LiveView {
         const precise = this.renderer.getContext().getExtension("EXT_float_blend") !== null;
         this.sumType = precise ? FloatType : HalfFloatType;
         this.mostSamples = Math.min(options.samples ?? MOST_SAMPLES, precise ? 1e6 : 128);
-        this.shape = new Pass(this.renderer, SHAPE_VERTEX, SHAPE_FRAGMENT, { depth: true });
-        this.coarseShape = new Pass(this.renderer, SHAPE_VERTEX, SHAPE_FRAGMENT, { depth: true });
+        this.shape = new Shape(this.renderer);
         this.shown = new Display(this.renderer);
         // Shaders must have all that they name.
         this.paintTextures.set(
@@ -125,8 +117,6 @@ export class LiveView {
 
     setShape(mesh: Mesh, transform: Transform): void {
         this.shape.setMesh(mesh);
-        this.mesh = mesh;
-        this.coarseCell = 0;
         this.transform = transform;
         this.restart();
     }
@@ -371,7 +361,7 @@ export class LiveView {
     private draw(): number {
         const { whole } = this;
         if (!whole || !this.transform || !this.light || !this.camera || !this.paint) return 0;
-        if (!this.shape.ready() || !this.coarseShape.ready() || !this.shown.ready()) return 0;
+        if (!this.shape.ready() || !this.shown.ready()) return 0;
         const pixels = whole.target.width * whole.target.height;
         const { budget, moving } = this.pace.budgets();
         // One sample shows a part of a pixel's flakes, which glitter more than all of them.
@@ -457,33 +447,9 @@ export class LiveView {
     }
 
     private drawShape(sums: Sums, eye: Eye, shift: readonly [number, number]): void {
-        if (sums.shapeFrom?.[0] === shift[0] && sums.shapeFrom[1] === shift[1]) return;
-        sums.shapeFrom = shift;
-        const { shape: target } = sums;
-        const camera = this.camera as Camera;
-        const transform = this.transform as Transform;
-        const moved = [(-2 * shift[0]) / target.width, (-2 * shift[1]) / target.height] as const;
-        const pass = sums === this.whole ? this.shape : this.coarseShapeFor(target.height);
-        pass.set({
-            toWorld: shapeMatrix(transform, this.turn_deg, camera.target_mm),
-            toScreen: screenMatrix(eye, camera.distance_mm, moved),
-        });
-        clear(this.renderer, target);
-        pass.draw(target);
-    }
-
-    /** For a picture of so many rows. */
-    private coarseShapeFor(rows: number): Pass {
-        const { distance_mm, fov_deg } = this.camera as Camera;
-        const seen_mm = 2 * distance_mm * Math.tan((fov_deg * Math.PI) / 360);
-        const pixel = seen_mm / rows / (this.transform as Transform).scale;
-        const most = COARSE_CELL * pixel;
-        if (this.coarseCell > most || this.coarseCell < LEAST_COARSE_CELL * pixel) {
-            // Between both, so that a camera that comes closer or goes away finds it for a while.
-            this.coarseCell = Math.sqrt(COARSE_CELL * LEAST_COARSE_CELL) * pixel;
-            this.coarseShape.setMesh(coarser(this.mesh as Mesh, this.coarseCell));
-        }
-        return this.coarseShape;
+        const [transform, camera] = [this.transform as Transform, this.camera as Camera];
+        const coarse = sums !== this.whole;
+        this.shape.draw(sums, transform, this.turn_deg, camera, eye, shift, coarse);
     }
 
     private shade(
