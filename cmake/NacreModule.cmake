@@ -31,6 +31,21 @@ elseif(NACRE_NATIVE)
 endif()
 target_compile_options(nacre_options INTERFACE
   -Wno-psabi $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized> ${march})
+# For processors with AVX2 and no AVX-512, GCC 12 and later copy structs by 16 bytes. A vector of lanes
+# that is read whole after that waits until every part of it has been written.
+include(CheckCXXSourceCompiles)
+set(wide_copies -mmove-max=256 -mstore-max=256)
+list(JOIN wide_copies " " flags)
+set(CMAKE_REQUIRED_FLAGS "${march} ${flags}")
+check_cxx_source_compiles("
+#if !defined(__AVX2__) || defined(__AVX512F__)
+#error
+#endif
+int main() {}" NACRE_WIDE_COPIES)
+unset(CMAKE_REQUIRED_FLAGS)
+if(NACRE_WIDE_COPIES)
+  target_compile_options(nacre_options INTERFACE $<BUILD_INTERFACE:${wide_copies}>)
+endif()
 if(NACRE_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC warns of anonymous namespaces in files that others include, which here are no headers. And a
   # tenth of its time goes into collecting garbage, unless it may first take half a gigabyte.
