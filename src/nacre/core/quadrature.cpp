@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <numbers>
+#include <utility>
 
 #include "nacre/core/error.h"
 
@@ -58,9 +59,14 @@ class RuleCache {
  public:
     template <class Make>
     const Quadrature& at(int n, const Make& make) {
+        {
+            const std::scoped_lock lock(mutex_);
+            if (static_cast<int>(rules_.size()) <= n) rules_.resize(n + 1);
+            if (rules_[n]) return *rules_[n];
+        }
+        auto made = std::make_unique<const Quadrature>(make(n));  // others need not wait meanwhile
         const std::scoped_lock lock(mutex_);
-        if (static_cast<int>(rules_.size()) <= n) rules_.resize(n + 1);
-        if (!rules_[n]) rules_[n] = std::make_unique<const Quadrature>(make(n));
+        if (!rules_[n]) rules_[n] = std::move(made);
         return *rules_[n];
     }
 
@@ -69,9 +75,8 @@ class RuleCache {
     std::vector<std::unique_ptr<const Quadrature>> rules_;
 };
 
-// Finding the zeros takes time in n^2: rules of up to so many nodes are kept, a quarter of a megabyte
-// in all.
-constexpr int kMaxKeptNodes = 256;
+// Finding the zeros takes time in n^2: rules of up to so many nodes are kept, four megabytes in all.
+constexpr int kMaxKeptNodes = 1024;
 
 }  // namespace
 

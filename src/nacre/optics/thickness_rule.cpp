@@ -6,6 +6,7 @@
 
 #include "nacre/core/dense.h"
 #include "nacre/core/quadrature.h"
+#include "nacre/core/recent_results.h"
 
 namespace nacre::optics {
 
@@ -36,10 +37,61 @@ ThicknessRule product_rule(double mean_nm, const ThicknessSpread& spread, int n)
     return {std::move(nodes), std::move(weights)};
 }
 
+/// A law on [-1, 1], where rules for it are made.
+struct UnitLaw {
+    ThicknessSpread::Law law;
+    double lowest;  ///< of a normal law, in deviations from its mean: at -1; kNormalCut is at 1
+    int n;          ///< nodes of its rule
+
+    friend bool operator==(const UnitLaw&, const UnitLaw&) = default;
+
+    double density(double x) const {
+        if (law == ThicknessSpread::Law::uniform) return 1;
+        const double z = std::lerp(lowest, kNormalCut, (x + 1) / 2);
+        return std::exp(-0.5 * z * z);
+    }
+};
+
+/// The Gauss rule for the law itself.
+Quadrature gauss_rule(const UnitLaw& law) {
+    const int n = law.n;
+    // The law as a sum of points. Twice n points and some for the density make the inner products of the n
+    // polynomials exact to rounding.
+    const Quadrature points = gauss_legendre(2 * n + 24, -1, 1);
+    const auto count = static_cast<Eigen::Index>(points.nodes.size());
+    Eigen::ArrayXd x(count), w(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const auto j = static_cast<std::size_t>(i);
+        x[i] = points.nodes[j];
+        w[i] = points.weights[j] * law.density(x[i]);
+    }
+    w /= w.sum();
+    // Orthonormal polynomials by the three-term recurrence; its coefficients are the matrix.
+    Eigen::VectorXd diagonal(n), beside = Eigen::VectorXd::Zero(std::max(1, n - 1));
+    Eigen::ArrayXd previous = Eigen::ArrayXd::Zero(count), current = Eigen::ArrayXd::Ones(count);
+    for (int k = 0; k < n; ++k) {
+        diagonal[k] = (w * x * current * current).sum();
+        if (k == n - 1) break;
+        Eigen::ArrayXd next = (x - diagonal[k]) * current;
+        if (k > 0) next -= beside[k - 1] * previous;
+        beside[k] = std::sqrt((w * next * next).sum());
+        previous = current;
+        current = next / beside[k];
+    }
+    const SymmetricEigen eigen = tridiagonal_eigen(diagonal, beside.head(n - 1));
+    Quadrature rule;
+    for (int i = 0; i < n; ++i) {
+        const double first = eigen.vectors(0, i);
+        rule.nodes.push_back(eigen.values[i]);
+        rule.weights.push_back(first * first);
+    }
+    return rule;
+}
+
 /// Few different counts, so that few rules are made.
 int rounded_count(double n) {
-    const int rounded = n < 16 ? static_cast<int>(std::ceil(n))
-                               : 8 * static_cast<int>(std::ceil(std::min(n, 1e4) / 8));
+    const int step = n < 24 ? 1 : n < 64 ? 4 : 8;
+    const int rounded = step * static_cast<int>(std::ceil(std::min(n, 1e4) / step));
     return std::clamp(rounded, 1, kMaxNodesPerFilm);
 }
 
@@ -70,38 +122,19 @@ double thickness_quantile(double mean_nm, const ThicknessSpread& spread, double 
 
 ThicknessRule thickness_rule(double mean_nm, const ThicknessSpread& spread, int n) {
     if (spread.standard_deviation_nm == 0) return {{mean_nm}, {1.0}};
-    const auto [lo, hi] = thickness_range(mean_nm, spread);
     if (n > kMaxGaussNodes) return product_rule(mean_nm, spread, n);
-    // The law as a sum of points, on [-1, 1] to keep the recurrence well scaled. Twice n points and
-    // some for the density make the inner products of the n polynomials exact to rounding.
-    const Quadrature points = gauss_legendre(2 * n + 24, -1, 1);
-    const auto count = static_cast<Eigen::Index>(points.nodes.size());
-    Eigen::ArrayXd x(count), w(count);
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const auto j = static_cast<std::size_t>(i);
-        x[i] = points.nodes[j];
-        w[i] = points.weights[j] * density((lo + hi) / 2 + (hi - lo) / 2 * x[i], mean_nm, spread);
-    }
-    w /= w.sum();
-    // Orthonormal polynomials by the three-term recurrence; its coefficients are the matrix.
-    Eigen::VectorXd diagonal(n), beside = Eigen::VectorXd::Zero(std::max(1, n - 1));
-    Eigen::ArrayXd previous = Eigen::ArrayXd::Zero(count), current = Eigen::ArrayXd::Ones(count);
-    for (int k = 0; k < n; ++k) {
-        diagonal[k] = (w * x * current * current).sum();
-        if (k == n - 1) break;
-        Eigen::ArrayXd next = (x - diagonal[k]) * current;
-        if (k > 0) next -= beside[k - 1] * previous;
-        beside[k] = std::sqrt((w * next * next).sum());
-        previous = current;
-        current = next / beside[k];
-    }
-    const SymmetricEigen eigen = tridiagonal_eigen(diagonal, beside.head(n - 1));
+    const auto [lo, hi] = thickness_range(mean_nm, spread);
+    const double lowest = lo > 0 ? -kNormalCut : -mean_nm / spread.standard_deviation_nm;
+    // A film that is moved has the law that it had, unless thickness 0 cuts it.
+    static RecentResults<UnitLaw, Quadrature> recent(256);
+    const auto unit = recent.get({spread.law, lowest, n}, [&] {
+        return gauss_rule({spread.law, lowest, n});
+    });
     ThicknessRule rule;
-    for (int i = 0; i < n; ++i) {
-        const double first = eigen.vectors(0, i);
-        rule.thickness_nm.push_back((lo + hi) / 2 + (hi - lo) / 2 * eigen.values[i]);
-        rule.weights.push_back(first * first);
+    for (const double x : unit->nodes) {
+        rule.thickness_nm.push_back((lo + hi) / 2 + (hi - lo) / 2 * x);
     }
+    rule.weights = unit->weights;
     return rule;
 }
 
