@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "nacre/core/error.h"
+#include "nacre/core/recent_results.h"
 
 namespace nacre::paint {
 namespace {
@@ -53,18 +55,36 @@ class QuantileLaw {
 
 constexpr int kByNumber = 3, kByArea = 1;
 
+constexpr double kCut = 3;  // standard deviations
+
+using Medians = std::array<double, FlakeSizes::kSizes>;
+
+/// Of equally probable parts of the standard normal law from `lo` to kCut. They are kept, as they take
+/// half a millisecond and whoever moves another number of the paint asks for them again and again.
+std::shared_ptr<const Medians> normal_medians(double lo) {
+    static RecentResults<double, Medians> recent(64);
+    return recent.get(lo, [lo] {
+        const double below = normal_below(lo), inside = normal_below(kCut) - below;
+        Medians medians;
+        for (int i = 0; i < FlakeSizes::kSizes; ++i) {
+            const double p = below + inside * (i + 0.5) / FlakeSizes::kSizes;
+            medians[i] = inverse(normal_below, p, lo, kCut);
+        }
+        return medians;
+    });
+}
+
 }  // namespace
 
 FlakeSizes::FlakeSizes(double mean_um, double spread_um) {
     require_in_range(mean_um, 1e-3, 1e6, "diameter_um of the flakes");
     require_in_range(spread_um, 0, mean_um, "diameter_spread_um of the flakes");
-    constexpr double kCut = 3, kMin = 0.25;
-    const double lo = spread_um > 0 ? std::max(-kCut, (kMin - 1) * mean_um / spread_um) : 0;
-    const double below = normal_below(lo), inside = normal_below(kCut) - below;
+    constexpr double kMin = 0.25;
+    std::shared_ptr<const Medians> medians;
+    if (spread_um > 0) medians = normal_medians(std::max(-kCut, (kMin - 1) * mean_um / spread_um));
     double squares = 0;
     for (int i = 0; i < kSizes; ++i) {
-        const double p = below + inside * (i + 0.5) / kSizes;
-        const double x = spread_um > 0 ? inverse(normal_below, p, lo, kCut) : 0;
+        const double x = medians ? (*medians)[i] : 0;
         diameters_um_[i] = static_cast<float>(mean_um + spread_um * x);
         squares += double{diameters_um_[i]} * diameters_um_[i];
     }

@@ -78,6 +78,28 @@ float round_to(double value, double unit) {
     return static_cast<float>(unit > 0 ? std::round(value / unit) * unit : value);
 }
 
+// Adds A x to y, A being symmetric. Of its rows those parts are given that end at the diagonal.
+void add_symmetric_product(int n, const float* row, const double* x, double* y) {
+    constexpr int kParts = 8;  // of a sum, which vectors hold
+    for (int i = 0; i < n; ++i) {
+        double part[kParts] = {};
+        int j = 0;
+        for (; j + kParts <= i; j += kParts) {
+            for (int p = 0; p < kParts; ++p) {
+                y[j + p] += row[j + p] * x[i];
+                part[p] += row[j + p] * x[j + p];
+            }
+        }
+        for (; j < i; ++j) {
+            y[j] += row[j] * x[i];
+            part[0] += row[j] * x[j];
+        }
+        y[i] += row[i] * x[i];
+        for (const double sum : part) y[i] += sum;
+        row += i + 1;
+    }
+}
+
 }  // namespace
 
 MultipleScattering compress(std::vector<double> exit_angle, std::vector<int> first,
@@ -127,29 +149,17 @@ MultipleScatteringSlice::MultipleScatteringSlice(const MultipleScattering& r, do
     const std::size_t terms = static_cast<std::size_t>(r.rank()) * r.orders();
     by_node_.assign(terms * n, 0.0);
     const float* value = r.coefficient.data();
-    // The triangle of pairs as the square that it stands for, column by column times the weights:
-    // vectors, where rows would be added up one number after the other.
-    std::vector<float> square(static_cast<std::size_t>(n) * n);
     std::vector<double> out(n);
     for (int k = 0; k < r.rank(); ++k) {
         for (int l = 0; l < r.orders(); ++l) {
             const int first = r.first[l], rows = n - first;
-            if (!r.takes_part(l, theta_i)) {
-                value += rows * (rows + 1) / 2;
-                continue;
+            if (r.takes_part(l, theta_i)) {
+                std::fill(out.begin(), out.end(), 0.0);
+                add_symmetric_product(rows, value, weight.data() + first, out.data() + first);
+                double* to = by_node_.data() + static_cast<std::size_t>(k) * r.orders() + l;
+                for (int i = first; i < n; ++i) to[i * terms] = out[i];
             }
-            for (int i = first; i < n; value += i + 1 - first, ++i) {
-                std::copy(value, value + (i + 1 - first), square.data() + i * n + first);
-                for (int j = first; j < i; ++j) square[j * n + i] = value[j - first];
-            }
-            std::fill(out.begin(), out.end(), 0.0);
-            for (int j = first; j < n; ++j) {
-                const float* column = square.data() + j * n;
-                const double w = weight[j];
-                for (int i = first; i < n; ++i) out[i] += column[i] * w;
-            }
-            double* to = by_node_.data() + static_cast<std::size_t>(k) * r.orders() + l;
-            for (int i = first; i < n; ++i) to[i * terms] = out[i];
+            value += rows * (rows + 1) / 2;
         }
     }
 }
