@@ -7,10 +7,12 @@
  */
 
 import type { Texture, WebGLRenderer, WebGLRenderTarget } from "three";
-import { HalfFloatType, Vector2 } from "three";
+import type { TextureDataType } from "three";
+import { FloatType, HalfFloatType, Vector2 } from "three";
 import type { PaintShader } from "./paint";
-import { makeTarget, Pass } from "./pass";
-import { AVERAGE, DISPLAY, EVERYWHERE, SMOOTH } from "./passes";
+import { filled, makeTarget, Pass } from "./pass";
+import type { Shown } from "./passes";
+import { AVERAGE, display, EVERYWHERE, GLITTER, SMOOTH } from "./passes";
 import type { Sums } from "./sums";
 
 /** Of the whole picture, from which on it is better than the coarse one. */
@@ -30,8 +32,8 @@ const KEPT = 16;
 const light = ({ textures }: WebGLRenderTarget): Texture => textures[0] as Texture;
 const flakes = ({ textures }: WebGLRenderTarget): Texture => textures[1] as Texture;
 
-const isLike = (means: WebGLRenderTarget | null, { target }: Sums): boolean =>
-    means?.width === target.width && means.height === target.height;
+const isLike = (one: WebGLRenderTarget | null, { target }: Sums): boolean =>
+    one?.width === target.width && one.height === target.height;
 
 /** What makes the flakes of a specimen: their places, slopes and sizes, but not what they reflect. */
 function flakesOf(paint: PaintShader): string {
@@ -41,38 +43,64 @@ function flakesOf(paint: PaintShader): string {
     return JSON.stringify(numbers.map((values) => Array.from(values ?? [])));
 }
 
+/** A whole picture, and of which flakes. */
+interface Before {
+    readonly sums: Sums;
+    readonly flakes: string;
+    /** Around the pixels of a coarse picture, and how the flakes glitter over them. */
+    means: WebGLRenderTarget | null;
+    glitter: WebGLRenderTarget | null;
+    /** Whether these are of this picture. */
+    known: boolean;
+}
+
 export class Display {
-    private readonly screen: Pass;
+    private readonly screens: Readonly<Record<Shown, Pass>>;
     private readonly average: Pass;
     private readonly smooth: Pass;
-    /** The last whole picture, and of which flakes; its means around the pixels of a coarse one. */
-    private before: { sums: Sums; flakes: string; means: WebGLRenderTarget | null } | null = null;
+    private readonly glitter: Pass;
+    /** That of a picture whose flakes do not glitter. */
+    private readonly even = filled(undefined, "r32f", [1, 1], Float32Array.of(1));
+    /** The last whole picture. */
+    private before: Before | null = null;
     private glitters = false;
     /** Of the coarse picture, for the screen to filter. */
     private coarseMeans: WebGLRenderTarget | null = null;
 
+    /** Of what is filtered: half floats, where others are not. Processors first have to make floats of them. */
+    private readonly filteredType: TextureDataType;
+
     constructor(private readonly renderer: WebGLRenderer) {
-        this.screen = new Pass(renderer, EVERYWHERE, DISPLAY);
-        this.average = new Pass(renderer, EVERYWHERE, AVERAGE);
-        this.smooth = new Pass(renderer, EVERYWHERE, SMOOTH);
+        const filters = renderer.getContext().getExtension("OES_texture_float_linear") !== null;
+        this.filteredType = filters ? FloatType : HalfFloatType;
+        const pass = (text: string) => new Pass(renderer, EVERYWHERE, text);
+        this.screens = {
+            coarse: pass(display("coarse")),
+            whole: pass(display("whole")),
+            both: pass(display("both")),
+        };
+        this.average = pass(AVERAGE);
+        this.smooth = pass(SMOOTH);
+        this.glitter = pass(GLITTER);
     }
 
     ready(): boolean {
-        return this.screen.ready() && this.average.ready() && this.smooth.ready();
+        const passes = [...Object.values(this.screens), this.average, this.smooth, this.glitter];
+        return passes.every((pass) => pass.ready());
     }
 
     /**
-     * To be called when a paint takes the place of another in the same picture.
+     * To be called when a paint takes the place of another in the same picture, which shows single flakes.
      * @param whole  of the paint before
      * @param make   a picture like it
      * @returns one to draw the new paint into
      */
-    changePaint(whole: Sums, from: PaintShader | null, to: PaintShader, make: () => Sums): Sums {
+    changePaint(whole: Sums, from: PaintShader, to: PaintShader, make: () => Sums): Sums {
         let next = whole;
-        if (from?.flakes === true && whole.samples >= KEPT) {
+        if (from.flakes && whole.samples >= KEPT) {
             next = this.before?.sums ?? make();
-            this.before?.means?.dispose();
-            this.before = { sums: whole, flakes: flakesOf(from), means: null };
+            const { means = null, glitter = null } = this.before ?? {};
+            this.before = { sums: whole, flakes: flakesOf(from), means, glitter, known: false };
         }
         this.glitters = to.flakes && this.before?.flakes === flakesOf(to);
         return next;
@@ -83,31 +111,53 @@ export class Display {
         this.glitters = false;
         this.before?.sums.delete();
         this.before?.means?.dispose();
+        this.before?.glitter?.dispose();
         this.before = null;
     }
 
     /** @param warn  marks colours that the display cannot show */
     draw(whole: Sums, coarse: Sums | null, warn: boolean): void {
         const hasCoarse = coarse !== null && coarse.samples > 0;
-        const before = this.glitters && hasCoarse ? this.before : null;
-        const was = before?.sums ?? whole;
-        if (hasCoarse) this.coarseMeans = this.smoothed(coarse, this.coarseMeans);
-        if (before !== null && !isLike(before.means, coarse as Sums)) {
-            before.means = this.meansOf(before.sums, coarse as Sums, before.means);
+        let shown: Shown = "whole";
+        if (hasCoarse && whole.samples < ENOUGH) {
+            shown = whole.samples === 0 && whole.rows === 0 ? "coarse" : "both";
         }
-        this.screen.set({
+        let glitter = this.even;
+        if (hasCoarse && shown !== "whole") {
+            this.coarseMeans = this.smoothed(coarse, this.coarseMeans);
+            if (this.glitters && this.before !== null)
+                glitter = this.glitterOf(this.before, coarse);
+        }
+        const screen = this.screens[shown];
+        screen.set({
             whole: light(whole.target),
             wholeFlakes: flakes(whole.target),
             coarseMeans: light(this.coarseMeans ?? whole.target),
-            before: light(was.target),
-            beforeFlakes: flakes(was.target),
-            beforeMeans: light(before?.means ?? whole.target),
+            glitter,
             size: this.renderer.getDrawingBufferSize(new Vector2()).toArray(),
-            enough: hasCoarse ? ENOUGH : 0,
-            glitters: before === null ? 0 : 1,
+            enough: ENOUGH,
             warn: warn ? 1 : 0,
         });
-        this.screen.draw(null);
+        screen.draw(null);
+    }
+
+    /** Drawn once for as many coarse pictures as follow. */
+    private glitterOf(before: Before, coarse: Sums): Texture {
+        const { sums } = before;
+        if (before.known && before.glitter !== null && isLike(before.means, coarse)) {
+            return light(before.glitter);
+        }
+        before.means = this.meansOf(sums, coarse, before.means);
+        const { width, height } = sums.target;
+        before.glitter ??= makeTarget(this.renderer, width, height, HalfFloatType, { red: true });
+        this.glitter.set({
+            sums: light(sums.target),
+            sumsOfFlakes: flakes(sums.target),
+            means: light(before.means),
+        });
+        this.glitter.draw(before.glitter);
+        before.known = true;
+        return light(before.glitter);
     }
 
     /** Of a coarse picture. @param into  what was there before */
@@ -146,6 +196,6 @@ export class Display {
         if (into !== null && isLike(into, like)) return into;
         into?.dispose();
         const { width, height } = like.target;
-        return makeTarget(this.renderer, width, height, HalfFloatType, { linear: true });
+        return makeTarget(this.renderer, width, height, this.filteredType, { linear: true });
     }
 }

@@ -335,7 +335,7 @@ export class LiveView {
         const pass = paint === null ? undefined : this.paints.get(paint.program);
         if (paint === null || pass?.ready() !== true) return;
         this.nextPaint = null;
-        if (this.whole) {
+        if (this.whole && this.sparkle && this.paint !== null) {
             this.whole = this.shown.changePaint(this.whole, this.paint, paint, () => this.make(1));
         }
         this.paint = paint;

@@ -148,17 +148,18 @@ export class Pass {
     }
 }
 
-/** What is drawn into, cleared. @param type  of each of its RGBA textures */
+/** What is drawn into, cleared. @param type  of each of its textures, which have RGBA or only red */
 export function makeTarget(
     renderer: WebGLRenderer,
     width: number,
     height: number,
     type: TextureDataType,
-    { count = 1, depth = false, linear = false } = {},
+    { count = 1, depth = false, linear = false, red = false } = {},
 ): WebGLRenderTarget {
     const target = new WebGLRenderTarget(width, height, {
         count,
         type,
+        format: red ? RedFormat : RGBAFormat,
         minFilter: linear ? LinearFilter : NearestFilter,
         magFilter: linear ? LinearFilter : NearestFilter,
         depthBuffer: depth,

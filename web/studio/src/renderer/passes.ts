@@ -297,43 +297,65 @@ void main() {
     around = min(mean(sum), 65504.);
 }`;
 
+/** How much brighter each pixel of a picture is than it is on average around a coarser one's. */
+export const GLITTER = `${HEAD}${MEANS}
+uniform sampler2D sums;
+uniform sampler2D sumsOfFlakes;
+uniform sampler2D means;  // filtered between its pixels, which are larger
+out float glitter;
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float around = brightness(mean(texture(means, gl_FragCoord.xy / vec2(textureSize(sums, 0)))).rgb);
+    float here = brightness(lightOf(sums, sumsOfFlakes, pixel));
+    glitter = around > 1e-4 ? min(here / around, 65504.) : 1.;
+}`;
+
+/** What is on the screen: a coarse picture, the whole one, or each where the whole one has samples enough. */
+export type Shown = "coarse" | "whole" | "both";
+
 /**
- * To the screen, as the program writes PNGs: clipped, sRGB. Where the whole picture has few samples yet,
- * the coarse one is seen.
+ * To the screen, as the program writes PNGs: clipped, sRGB. Each its own shader: processors that draw in place of
+ * a card compute both sides of an if.
  */
-export const DISPLAY = `${HEAD}${MEANS}
+export function display(shown: Shown): string {
+    const [hasCoarse, hasWhole] = [shown !== "whole", shown !== "coarse"].map(Number);
+    return `${HEAD}${MEANS}
+#define HAS_COARSE ${String(hasCoarse)}
+#define HAS_WHOLE ${String(hasWhole)}
 uniform sampler2D whole;
 uniform sampler2D wholeFlakes;
 uniform sampler2D coarseMeans;  // filtered between its pixels, which are larger
-uniform sampler2D before;
-uniform sampler2D beforeFlakes;
-uniform sampler2D beforeMeans;  // around the same larger pixels
+uniform sampler2D glitter;      // of the picture before; one texel where there is none
 uniform vec2 size;
-uniform float enough;   // samples
-uniform bool glitters;  // as the picture before
-uniform bool warn;      // of colours outside the gamut
+uniform float enough;  // samples
+uniform bool warn;     // of colours outside the gamut
 out vec4 seen;
-
-vec4 between(sampler2D means) { return mean(texture(means, gl_FragCoord.xy / size)); }
-
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec4 value = texelFetch(whole, pixel, 0), around = vec4(0.);
-    if (value.a < enough) around = between(coarseMeans);
-    bool known = max(value.a, around.a) > 0.; // else what lies behind the canvas is seen
-    vec3 linear = around.rgb;
-    if (around.a == 0.) linear = mean(value).rgb + mean(texelFetch(wholeFlakes, pixel, 0)).rgb;
-    if (glitters && value.a < enough) {
-        float was = brightness(between(beforeMeans).rgb);
-        float is = brightness(lightOf(before, beforeFlakes, pixel));
-        if (was > 1e-4) linear *= is / was;
-    }
-    vec3 clipped = clamp(linear, 0., 1.);
+    vec4 light = vec4(0.);
+#if HAS_WHOLE
+    light = texelFetch(whole, pixel, 0);
+    float samples = light.a;
+    light = mean(light);
+    light.rgb += mean(texelFetch(wholeFlakes, pixel, 0)).rgb;
+#endif
+#if HAS_COARSE
+    vec2 at = gl_FragCoord.xy / size;
+    vec4 coarse = mean(texture(coarseMeans, at));
+    coarse.rgb *= texture(glitter, at).r;
+#if HAS_WHOLE
+    if (samples < enough) light = coarse;
+#else
+    light = coarse;
+#endif
+#endif
+    vec3 linear = light.rgb, clipped = clamp(linear, 0., 1.);
     vec3 encoded = mix(12.92 * clipped, 1.055 * pow(max(clipped, 1e-6), vec3(1. / 2.4)) - .055,
                        vec3(greaterThan(clipped, vec3(.0031308))));
     // Stripes where a component is negative by more than rounding.
     float lowest = min(linear.r, min(linear.g, linear.b)), scale = max(linear.r, max(linear.g, linear.b));
     bool stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 12.) < 4.;
     if (warn && stripe && lowest < -.002 - .01 * scale) encoded = vec3(.5);
-    seen = known ? vec4(encoded, 1.) : vec4(0.);
+    seen = light.a > 0. ? vec4(encoded, 1.) : vec4(0.);  // else what lies behind the canvas is seen
 }`;
+}
