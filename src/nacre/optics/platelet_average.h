@@ -374,53 +374,6 @@ class PlateletAverage {
         return one_sided_ ? sqrt_lanes(norm(coat.tt) * norm(far.tt)) : norm(coat.tt);
     }
 
-    /// <w>, <w^2>, ...: the mean of w/(1 - p w) is the sum of p^(n - 1) <w^n>. Powers of a phase that varies
-    /// by more than a radian average out, and few terms replace a quotient for each thickness.
-    class PowerMeans {
-     public:
-        /// @param w  by thickness w, and w times its weight
-        explicit PowerMeans(const std::vector<ComplexLanes>& w) {
-            for (std::size_t j = 0; j < w.size(); j += 2) {
-                ComplexLanes power = w[j + 1];
-                mean_[0] = mean_[0] + power;
-                for (int n = 1; n < kMaxTerms; ++n) {
-                    power = power * w[j];
-                    mean_[n] = mean_[n] + power;
-                }
-            }
-            double largest = 0;
-            for (int n = kMaxTerms - 1; n >= 0; --n) {
-                largest = std::max(largest, lane_max(norm(mean_[n])));
-                later_[n] = std::sqrt(largest);
-            }
-        }
-
-        /// So many that the others add less than kLeft; 0: more than there are.
-        int terms(const ComplexLanes& p) const {
-            const double ratio = std::sqrt(lane_max(norm(p)));
-            double power = 1;  // of those that follow, which are at most 1
-            for (int n = 0; n < kMaxTerms; ++n) power *= ratio;
-            if (!(power < kLeft / 2 * (1 - ratio))) return 0;
-            power = ratio;
-            int n = 1;
-            while (n < kMaxTerms && power * later_[n] > kLeft / 2 * (1 - ratio))
-                ++n, power *= ratio;
-            return n;
-        }
-
-        ComplexLanes sum(const ComplexLanes& p, int terms) const {
-            ComplexLanes sum = mean_[terms - 1];
-            for (int n = terms - 2; n >= 0; --n) sum = mean_[n] + p * sum;
-            return sum;
-        }
-
-     private:
-        static constexpr int kMaxTerms = 16;
-        static constexpr double kLeft = 1e-8;  // below what the arc is good for
-        ComplexLanes mean_[kMaxTerms] = {};
-        double later_[kMaxTerms];  // the largest magnitude of that mean and those that follow
-    };
-
     /// For |w| = 1 on the real axis. With p = r_in r_in', 1/|1 - p w|^2 is the real part of
     /// (1 + p w)/(1 - p w) over 1 - |p|^2, the Poisson kernel; so R and T follow from the mean of
     /// w/(1 - p w) alone, which is analytic and can be averaged on an arc.
@@ -432,16 +385,11 @@ class PlateletAverage {
             w[2 * j] = exp_i(splat_complex(arc_.thickness_nm[j]) * lanes.phase_rate[0]);
             w[2 * j + 1] = splat_complex(arc_.weights[j]) * w[2 * j];
         }
-        const PowerMeans powers(w);
         for_each_coat(lanes, rules, [&](const Coat& coat, const Coat& far, double weight) {
             const ComplexLanes p = coat.r_in * far.r_in;
             ComplexLanes mean{};
-            if (const int terms = powers.terms(p)) {
-                mean = powers.sum(p, terms);
-            } else {
-                for (std::size_t j = 0; j < count; ++j) {
-                    mean = mean + w[2 * j + 1] / (splat_complex(1.0) - p * w[2 * j]);
-                }
+            for (std::size_t j = 0; j < count; ++j) {
+                mean = mean + w[2 * j + 1] / (splat_complex(1.0) - p * w[2 * j]);
             }
             const ComplexLanes back = coat.tt * far.r_in;
             // With two alike, 1 - |p|^2 is (1 - |r_in|^2)(1 + |r_in|^2), and 1 - |r_in|^2 >= |tt|,
