@@ -6,8 +6,7 @@
  * over its own mean around each pixel.
  */
 
-import type { Texture, WebGLRenderer, WebGLRenderTarget } from "three";
-import type { TextureDataType } from "three";
+import type { Texture, TextureDataType, WebGLRenderer, WebGLRenderTarget } from "three";
 import { FloatType, HalfFloatType, Vector2 } from "three";
 import type { PaintShader } from "./paint";
 import { filled, makeTarget, Pass } from "./pass";
@@ -32,8 +31,8 @@ const KEPT = 16;
 const light = ({ textures }: WebGLRenderTarget): Texture => textures[0] as Texture;
 const flakes = ({ textures }: WebGLRenderTarget): Texture => textures[1] as Texture;
 
-const isLike = (one: WebGLRenderTarget | null, { target }: Sums): boolean =>
-    one?.width === target.width && one.height === target.height;
+const isLike = (one: WebGLRenderTarget | null, other: WebGLRenderTarget): boolean =>
+    one?.width === other.width && one.height === other.height;
 
 /** What makes the flakes of a specimen: their places, slopes and sizes, but not what they reflect. */
 function flakesOf(paint: PaintShader): string {
@@ -64,10 +63,10 @@ export class Display {
     /** The last whole picture. */
     private before: Before | null = null;
     private glitters = false;
-    /** Of the coarse picture, for the screen to filter. */
+    /** Of the coarse picture: along its rows, and both ways, for the screen to filter. */
+    private rowMeans: WebGLRenderTarget | null = null;
     private coarseMeans: WebGLRenderTarget | null = null;
-
-    /** Of what is filtered: half floats, where others are not. Processors first have to make floats of them. */
+    /** Of what is filtered: half floats, which processors first make floats of, only where others are not filtered. */
     private readonly filteredType: TextureDataType;
 
     constructor(private readonly renderer: WebGLRenderer) {
@@ -124,7 +123,7 @@ export class Display {
         }
         let glitter = this.even;
         if (hasCoarse && shown !== "whole") {
-            this.coarseMeans = this.smoothed(coarse, this.coarseMeans);
+            this.smoothed(coarse);
             if (this.glitters && this.before !== null)
                 glitter = this.glitterOf(this.before, coarse);
         }
@@ -144,7 +143,7 @@ export class Display {
     /** Drawn once for as many coarse pictures as follow. */
     private glitterOf(before: Before, coarse: Sums): Texture {
         const { sums } = before;
-        if (before.known && before.glitter !== null && isLike(before.means, coarse)) {
+        if (before.known && before.glitter !== null && isLike(before.means, coarse.target)) {
             return light(before.glitter);
         }
         before.means = this.meansOf(sums, coarse, before.means);
@@ -160,19 +159,19 @@ export class Display {
         return light(before.glitter);
     }
 
-    /** Of a coarse picture. @param into  what was there before */
-    private smoothed(sums: Sums, into: WebGLRenderTarget | null): WebGLRenderTarget {
-        const { target, shape, samples } = sums;
-        const means = this.meansLike(sums, into);
+    /** Of a coarse picture, which shows no single flakes: along its rows, then its columns. */
+    private smoothed({ target, shape, samples }: Sums): void {
+        this.rowMeans = this.meansLike(target, this.rowMeans);
+        this.coarseMeans = this.meansLike(target, this.coarseMeans);
         this.smooth.set({
-            sums: light(target),
-            sumsOfFlakes: flakes(target),
             placeAt: shape.textures[0] as Texture,
             facingAt: shape.textures[1] as Texture,
-            radius: samples <= SMOOTHED_WIDE ? (INTERLEAVED - 1) / 2 : 1,
+            width: samples <= SMOOTHED_WIDE ? INTERLEAVED : 2,
         });
-        this.smooth.draw(means);
-        return means;
+        this.smooth.set({ sums: light(target), along: [1, 0] });
+        this.smooth.draw(this.rowMeans);
+        this.smooth.set({ sums: light(this.rowMeans), along: [0, 1] });
+        this.smooth.draw(this.coarseMeans);
     }
 
     /** Around the pixels of a coarser picture. @param into  what was there before */
@@ -181,7 +180,7 @@ export class Display {
         like: Sums,
         into: WebGLRenderTarget | null,
     ): WebGLRenderTarget {
-        const means = this.meansLike(like, into);
+        const means = this.meansLike(like.target, into);
         this.average.set({
             sums: light(target),
             sumsOfFlakes: flakes(target),
@@ -192,10 +191,10 @@ export class Display {
     }
 
     /** What means are drawn into, for the screen to filter. */
-    private meansLike(like: Sums, into: WebGLRenderTarget | null): WebGLRenderTarget {
+    private meansLike(like: WebGLRenderTarget, into: WebGLRenderTarget | null): WebGLRenderTarget {
         if (into !== null && isLike(into, like)) return into;
         into?.dispose();
-        const { width, height } = like.target;
+        const { width, height } = like;
         return makeTarget(this.renderer, width, height, this.filteredType, { linear: true });
     }
 }

@@ -273,26 +273,26 @@ void main() {
 }`;
 
 /**
- * Of a coarse picture of few samples, around its own pixels: where the shape faces the same way, as each of
- * them has looked in directions of its own.
+ * Of a coarse picture of few samples, around its own pixels along one of its axes: where the shape faces the same
+ * way, as each of them has looked in directions of its own. Weights fall towards the ends: where `width` pixels share
+ * out the directions, all of these weigh the same, and no sample has an edge.
  */
 export const SMOOTH = `${HEAD}${MEANS}
 uniform sampler2D sums;
-uniform sampler2D sumsOfFlakes;
 uniform sampler2D placeAt;
 uniform sampler2D facingAt;
-uniform int radius;
+uniform vec2 along;
+uniform int width;
 out vec4 around;
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy), last = textureSize(sums, 0) - 1;
     vec3 facing = texelFetch(facingAt, pixel, 0).xyz;
-    int reach = texelFetch(placeAt, pixel, 0).w > 0. ? radius : 0; // what lies behind has no noise
+    int reach = texelFetch(placeAt, pixel, 0).w > 0. ? width : 1; // what lies behind has no noise
     vec4 sum = vec4(0.);
-    for (int y = -reach; y <= reach; ++y) for (int x = -reach; x <= reach; ++x) {
-        ivec2 at = clamp(pixel + ivec2(x, y), ivec2(0), last);
-        bool alike = at == pixel || dot(texelFetch(facingAt, at, 0).xyz, facing) > .8;
-        bool known = texelFetch(sums, at, 0).a > 0.;
-        if (alike && known) sum += vec4(lightOf(sums, sumsOfFlakes, at), 1.);
+    for (int k = 1 - reach; k < reach; ++k) {
+        ivec2 at = clamp(pixel + k * ivec2(along), ivec2(0), last);
+        bool alike = k == 0 || dot(texelFetch(facingAt, at, 0).xyz, facing) > .8;
+        if (alike) sum += float(reach - abs(k)) * mean(texelFetch(sums, at, 0));
     }
     around = min(mean(sum), 65504.);
 }`;
