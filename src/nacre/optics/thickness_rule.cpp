@@ -46,9 +46,8 @@ struct UnitLaw {
     friend bool operator==(const UnitLaw&, const UnitLaw&) = default;
 
     double density(double x) const {
-        if (law == ThicknessSpread::Law::uniform) return 1;
-        const double z = std::lerp(lowest, kNormalCut, (x + 1) / 2);
-        return std::exp(-0.5 * z * z);
+        const double deviations = std::lerp(lowest, kNormalCut, (x + 1) / 2);
+        return optics::density(deviations, 0, {.standard_deviation_nm = 1, .law = law});
     }
 };
 
