@@ -6,6 +6,10 @@ import { begin, field, FILM, newPage, open, page, settled, slider, studio, type 
 
 begin(true);
 
+/** Where pictures are waited for until they are traced: a window in which they have few pixels. */
+const SMALL = { width: 950, height: 400 };
+const USUAL = { width: 1280, height: 800 };
+
 test("chips come first, then plots and how long the chips took", async () => {
     await open();
     await page.waitForSelector(".latency:not(:empty)");
@@ -99,6 +103,7 @@ const near = (a: readonly number[], b: readonly number[], most: number) =>
     a.every((x, i) => Math.abs(x - (b[i] ?? NaN)) <= most);
 
 test("the picture gets better, follows turning, and A is held beside B", async () => {
+    await page.setViewportSize(SMALL);
     await open();
     const traced = (least: number) =>
         page.waitForFunction((n) => {
@@ -169,7 +174,6 @@ test("the live picture comes back with the graphics processor", async () => {
 });
 
 test("single flakes are seen, or their mean", async () => {
-    await page.setViewportSize({ width: 900, height: 560 }); // fewer pixels to trace
     await open();
     await page.selectOption("[aria-label='Shape']", "macro");
     /** Of the square root of the picture's variance to its mean. */
@@ -198,7 +202,7 @@ test("single flakes are seen, or their mean", async () => {
     await page.check("text=Sparkle");
     await page.waitForSelector("canvas.live.now");
     assert.ok((await contrast("canvas.traced")) > 0.2);
-    await page.setViewportSize({ width: 1280, height: 800 });
+    await page.setViewportSize(USUAL);
 });
 
 /** Green as no display shows it: white pigment in a dye that lets 490 to 555 nm through. */
