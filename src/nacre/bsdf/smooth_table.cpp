@@ -69,13 +69,34 @@ void SmoothTable::tabulate(const solver::MultipleScattering& r, double ior, int 
     });
 }
 
-void SmoothTable::bind(std::span<const FloatLanes> basis, FloatLanes* out) const {
-    const float* coefficient = coefficient_.data();
+BoundSmoothTable SmoothTable::bind(int first, std::span<const FloatLanes> basis) const {
+    BoundSmoothTable bound = SmoothTableMemory::take(memory_, grid_.cells());
+    const float* coefficient = coefficient_.data() + first;
     for (std::size_t cell = 0; cell < grid_.cells(); ++cell, coefficient += rank_) {
-        FloatLanes sum = out[cell];
-        for (int k = 0; k < rank_; ++k) sum += coefficient[k] * basis[k];
-        out[cell] = sum;
+        FloatLanes sum{};
+        for (std::size_t k = 0; k < basis.size(); ++k) sum += coefficient[k] * basis[k];
+        bound[cell] = sum;
     }
+    return bound;
+}
+
+BoundSmoothTable SmoothTableMemory::take(const std::shared_ptr<SmoothTableMemory>& from,
+                                         std::size_t cells) {
+    const std::lock_guard lock(from->mutex_);
+    if (from->free_.empty()) {
+        from->free_.reserve(from->made_ + 1);
+        BoundSmoothTable fresh(new FloatLanes[cells], GiveBack{from});
+        ++from->made_;
+        return fresh;
+    }
+    BoundSmoothTable again(from->free_.back().release(), GiveBack{from});
+    from->free_.pop_back();
+    return again;
+}
+
+void SmoothTableMemory::GiveBack::operator()(FloatLanes* values) const {
+    const std::lock_guard lock(to->mutex_);
+    to->free_.emplace_back(values);  // without allocation: see take()
 }
 
 }  // namespace nacre::bsdf

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -84,6 +85,29 @@ inline void prefetch(const SmoothGrid& grid, const FloatLanes* values, const Smo
     }
 }
 
+/// Memory of the bound tables of one SmoothTable that are no more, for those to come: a picture binds one
+/// for each of its passes, and pages that are new to a program cost more than what is written to them.
+class SmoothTableMemory {
+ public:
+    struct GiveBack {
+        std::shared_ptr<SmoothTableMemory> to;
+        void operator()(FloatLanes* values) const;
+    };
+
+    /// @param cells  the same at each call
+    /// @return values that nobody has written
+    static std::unique_ptr<FloatLanes[], GiveBack> take(
+        const std::shared_ptr<SmoothTableMemory>& from, std::size_t cells);
+
+ private:
+    std::mutex mutex_;
+    std::size_t made_ = 0;
+    std::vector<std::unique_ptr<FloatLanes[]>> free_;  // with room for all that were made
+};
+
+/// A SmoothTable at eight wavelengths: a value for each cell.
+using BoundSmoothTable = std::unique_ptr<FloatLanes[], SmoothTableMemory::GiveBack>;
+
 /// The table before it is bound to wavelengths: coefficients of the multiple scattering's spectral
 /// basis.
 class SmoothTable {
@@ -99,9 +123,9 @@ class SmoothTable {
     std::span<const float> coefficients() const { return coefficient_; }
     int rank() const { return rank_; }
 
-    /// Values at eight wavelengths: for each cell sum over k of basis[k] coefficient[k], added to
-    /// `out` (grid().cells() values).
-    void bind(std::span<const FloatLanes> basis, FloatLanes* out) const;
+    /// Values at eight wavelengths: for each cell sum over k of basis[k] coefficient[first + k].
+    /// @param basis  of rank() or less
+    BoundSmoothTable bind(int first, std::span<const FloatLanes> basis) const;
 
  private:
     void tabulate(const solver::MultipleScattering& tensor, double ior, int first_rank);
@@ -109,6 +133,7 @@ class SmoothTable {
     SmoothGrid grid_;
     int rank_ = 0;
     std::vector<float> coefficient_;  // [cell][k]
+    std::shared_ptr<SmoothTableMemory> memory_ = std::make_shared<SmoothTableMemory>();
 };
 
 }  // namespace nacre::bsdf

@@ -248,12 +248,12 @@ class BoundMicroflake : public BoundBsdf {
     FloatLanes rough_ratio(const Ray& i, const Ray& o, const Flakes& flakes) const;
     /// Values of a table that is bound to the wavelengths; a truncated Fourier series may dip below
     /// zero by its own error.
-    FloatLanes tabulated(const std::vector<FloatLanes>& table, const Ray& i, const Ray& o) const {
+    FloatLanes tabulated(const BoundSmoothTable& table, const Ray& i, const Ray& o) const {
         return tabulated(table, i, o, cell_of(i, o));
     }
-    FloatLanes tabulated(const std::vector<FloatLanes>& table, const Ray& i, const Ray& o,
+    FloatLanes tabulated(const BoundSmoothTable& table, const Ray& i, const Ray& o,
                          const SmoothCell& cell) const {
-        return max_lanes(interpolate(grid_, table.data(), cell), FloatLanes{}) *
+        return max_lanes(interpolate(grid_, table.get(), cell), FloatLanes{}) *
                (1 / (i.inside.z + o.inside.z));
     }
     SmoothCell cell_of(const Ray& i, const Ray& o) const {
@@ -272,7 +272,7 @@ class BoundMicroflake : public BoundBsdf {
     std::shared_ptr<const Microflake::Tables> tables_;
     std::array<WavelengthPosition, kLanes> where_;
     SmoothGrid grid_;
-    std::vector<FloatLanes> smooth_;
+    BoundSmoothTable smooth_;
     std::optional<BoundLeaningTables> leaning_;  // none where no flakes lean
     BoundCoatSpread coat_spread_;
     std::vector<BoundLayer> layers_;
@@ -283,7 +283,7 @@ class BoundMicroflake : public BoundBsdf {
     std::vector<FloatLanes> transmittance_over_cosine_;
     struct Rough {
         InterfaceLobe interface;
-        std::vector<FloatLanes> single;  // single scattering alone: bind_rough_single()
+        BoundSmoothTable single;  // single scattering alone: bind_rough_single()
     };
     std::optional<Rough> rough_;
     sparkle::CoatTilt coat_;
@@ -301,7 +301,7 @@ std::optional<BsdfSample> BoundMicroflake::sample_by(const Ray& i, float u_selec
     if (s.wo.z <= 0) return std::nullopt;
     const Ray o = make_ray(s.wo);
     // The table is larger than the caches near the processor: it comes while the density is found.
-    prefetch(grid_, smooth_.data(), cell_of(i, o));
+    prefetch(grid_, smooth_.get(), cell_of(i, o));
     s.pdf = density(probability, i, o);
     if (!(s.pdf > 0)) return std::nullopt;
     s.weight = value_to(o) * (s.wo.z / s.pdf);
@@ -392,7 +392,7 @@ FloatLanes BoundMicroflake::value(const Ray& i, const Ray& o, const Flakes& flak
         }
     }
     // The table comes while single scattering is worked out.
-    prefetch(grid_, smooth_.data(), cell);
+    prefetch(grid_, smooth_.get(), cell);
     const FloatLanes single = once(i, o, flakes);
     FloatLanes smooth = tabulated(smooth_, i, o, cell);
     if constexpr (requires { flakes.multiple(smooth); }) smooth = flakes.multiple(smooth);
@@ -429,9 +429,9 @@ template <class Flakes>
 ScatteredAgain BoundMicroflake::again_value(const Ray& i, const Ray& o,
                                             const Flakes& flakes) const {
     const SmoothCell cell = cell_of(i, o);
-    const bool over_ground = leaning_ && !leaning_->over_black.empty();
-    if (leaning_) prefetch(grid_, leaning_->unreturned.data(), cell);
-    if (over_ground) prefetch(grid_, leaning_->over_black.data(), cell);
+    const bool over_ground = leaning_ && leaning_->over_black;
+    if (leaning_) prefetch(grid_, leaning_->unreturned.get(), cell);
+    if (over_ground) prefetch(grid_, leaning_->over_black.get(), cell);
     const FloatLanes factor = interface_factor(i, o);
     ScatteredAgain again;
     const FloatLanes smooth = tabulated(smooth_, i, o, cell);

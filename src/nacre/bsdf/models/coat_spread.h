@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <vector>
 
 #include "nacre/bsdf/smooth_table.h"
 #include "nacre/bsdf/wavelength_lanes.h"
@@ -49,12 +48,12 @@ class BoundCoatSpread {
     BoundCoatSpread(const CoatSpread& spread, const std::array<WavelengthPosition, kLanes>& where);
 
     float spread() const { return spread_; }
-    const std::vector<FloatLanes>& thinner() const { return tables_[0]; }
-    const std::vector<FloatLanes>& thicker() const { return tables_[1]; }
+    const BoundSmoothTable& thinner() const { return tables_[0]; }
+    const BoundSmoothTable& thicker() const { return tables_[1]; }
 
  private:
     float spread_ = 0;
-    std::array<std::vector<FloatLanes>, 2> tables_;
+    std::array<BoundSmoothTable, 2> tables_;
 };
 
 /// T at the mean thickness and at the nodes.

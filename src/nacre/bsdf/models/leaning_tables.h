@@ -44,8 +44,8 @@ class BoundLeaningTables {
 
     FlakeDepths depths(float cosine) const;
 
-    std::vector<FloatLanes> over_black;  ///< empty where the ground reflects nothing
-    std::vector<FloatLanes> unreturned;
+    BoundSmoothTable over_black;  ///< none where the ground reflects nothing
+    BoundSmoothTable unreturned;
 
  private:
     std::vector<FloatLanes> flakes_, mirrored_;  // by cosine

@@ -29,21 +29,23 @@ SmoothTable smooth_table(const solver::SolvedPaint& paint) {
     return {tabulated_tensors(paint), narrowest_alpha(paint.medium), mean_ior(paint.medium)};
 }
 
-std::vector<FloatLanes> bind_table(const SmoothTable& table, const solver::SolvedPaint& paint,
-                                   const std::array<WavelengthPosition, kLanes>& where,
-                                   bool single_alone) {
+BoundSmoothTable bind_table(const SmoothTable& table, const solver::SolvedPaint& paint,
+                            const std::array<WavelengthPosition, kLanes>& where,
+                            bool single_alone) {
     const int count = paint.medium.wavelength_count();
-    std::vector<FloatLanes> basis, values(table.grid().cells(), FloatLanes{});
+    int first = 0;
+    std::vector<FloatLanes> basis;
     for (const solver::MultipleScattering* tensor : tabulated_tensors(paint)) {
-        const bool left_out = single_alone && tensor != &paint.rough_single;
+        if (single_alone && tensor != &paint.rough_single) {
+            first += tensor->rank();
+            continue;
+        }
         for (int k = 0; k < tensor->rank(); ++k) {
-            basis.push_back(left_out ? FloatLanes{} : at_wavelengths(where, [&](int w) {
-                return tensor->basis[k * count + w];
-            }));
+            basis.push_back(
+                at_wavelengths(where, [&](int w) { return tensor->basis[k * count + w]; }));
         }
     }
-    table.bind(basis, values.data());
-    return values;
+    return table.bind(first, basis);
 }
 
 }  // namespace nacre::bsdf

@@ -18,10 +18,10 @@ std::vector<const solver::MultipleScattering*> tabulated_tensors(const solver::S
 /// @throws Error as has_rough_interface()
 SmoothTable smooth_table(const solver::SolvedPaint& paint);
 
-/// The cells of the table of this paint at eight wavelengths.
+/// The table of this paint at eight wavelengths.
 /// @param single_alone  only what was scattered once, under a rough clearcoat
-std::vector<FloatLanes> bind_table(const SmoothTable& table, const solver::SolvedPaint& paint,
-                                   const std::array<WavelengthPosition, kLanes>& where,
-                                   bool single_alone = false);
+BoundSmoothTable bind_table(const SmoothTable& table, const solver::SolvedPaint& paint,
+                            const std::array<WavelengthPosition, kLanes>& where,
+                            bool single_alone = false);
 
 }  // namespace nacre::bsdf
