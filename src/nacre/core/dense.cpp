@@ -32,6 +32,10 @@ RowMajorMatrix product_with_transposed(const RowMajorView& a, const RowMajorView
     return a * b.transpose();
 }
 
+void add_product_with_transposed(RowMajorMatrix& to, const RowMajorView& a, const RowMajorView& b) {
+    to.noalias() += a * b.transpose();
+}
+
 Eigen::MatrixXd gram_matrix(const RowMajorView& a) { return a.transpose() * a; }
 
 }  // namespace nacre

@@ -30,5 +30,7 @@ using RowMajorView = Eigen::Ref<const RowMajorMatrix>;
 RowMajorMatrix product(const RowMajorView& a, const RowMajorView& b);
 RowMajorMatrix product_with_transposed(const RowMajorView& a, const RowMajorView& b);
 Eigen::MatrixXd gram_matrix(const RowMajorView& a);
+/// Adds A B^T.
+void add_product_with_transposed(RowMajorMatrix& to, const RowMajorView& a, const RowMajorView& b);
 
 }  // namespace nacre

@@ -10,6 +10,7 @@
 
 #include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/parallel.h"
 #include "nacre/core/recent_results.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/solver/directions.h"
@@ -40,29 +41,32 @@ RoughInterface::RoughInterface(double ior, double alpha) : ior_(ior), alpha_(alp
         throw DomainError(fmt::format("interface roughness = {} is not in (0, 1]", alpha));
     }
     const Quadrature outside = gauss_legendre(kNodes, 0.0, kHorizon);
-    double outer = 0, inner = 0;  // Int m over etendue / 2 pi
-    for (int i = 0; i < kNodes; ++i) {
-        const double theta = outside.nodes[i];
-        double reflected = 0, through = 0;
-        for_each_facet_exit(theta, alpha, 1.0, ior, {}, [&](const FacetExit& exit) {
-            (exit.through ? through : reflected) += exit.fraction;
-        });
-        reflected_.push_back(reflected);
-        masked_.push_back(std::max(0.0, 1 - reflected - through));
-        outer += outside.weights[i] * std::sin(theta) * std::cos(theta) * masked_.back();
-    }
-    const double critical = std::asin(1 / ior);
-    const auto add_inside = [&](double theta, double etendue) {
+    const Quadrature total = gauss_legendre(kNodes, std::asin(1 / ior), kHorizon);
+    reflected_.resize(kNodes);
+    masked_.resize(kNodes);
+    const auto masked_inside = [&](double theta) {
         double leaves = 0;
         for_each_facet_exit(theta, alpha, ior, 1.0, {},
                             [&](const FacetExit& exit) { leaves += exit.fraction; });
-        inner += etendue * std::max(0.0, 1 - leaves);
+        return std::max(0.0, 1 - leaves);
     };
-    const Quadrature total = gauss_legendre(kNodes, critical, kHorizon);
+    std::array<double, kNodes> refracted, beyond;  // m inside, below the critical angle and above
+    parallel_for(std::size_t{0}, std::size_t{kNodes}, [&](std::size_t i) {
+        double through = 0;
+        for_each_facet_exit(outside.nodes[i], alpha, 1.0, ior, {}, [&](const FacetExit& exit) {
+            (exit.through ? through : reflected_[i]) += exit.fraction;
+        });
+        masked_[i] = std::max(0.0, 1 - reflected_[i] - through);
+        refracted[i] = masked_inside(std::asin(std::sin(outside.nodes[i]) / ior));
+        beyond[i] = masked_inside(total.nodes[i]);
+    });
+    double outer = 0, inner = 0;  // Int m over etendue / 2 pi
     for (int i = 0; i < kNodes; ++i) {
         const double e = outside.nodes[i], theta = total.nodes[i];
-        add_inside(std::asin(std::sin(e) / ior), outside.weights[i] * std::sin(e) * std::cos(e));
-        add_inside(theta, ior * ior * total.weights[i] * std::sin(theta) * std::cos(theta));
+        const double etendue = outside.weights[i] * std::sin(e) * std::cos(e);
+        outer += etendue * masked_[i];
+        inner += etendue * refracted[i];
+        inner += ior * ior * total.weights[i] * std::sin(theta) * std::cos(theta) * beyond[i];
     }
     masked_outside_ = 2 * std::numbers::pi * outer;
     const double both = 2 * std::numbers::pi * (outer + inner);

@@ -1,6 +1,7 @@
 #include "nacre/solver/rough_interface_operators.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "nacre/core/angles.h"
@@ -16,11 +17,51 @@ namespace {
 using Matrix = RowMajorMatrix;
 using Vector = Eigen::VectorXd;
 
-// A panel of Directions: nodes in its own angle, theta_e outside or the angle inside.
+// Polynomials P_m(x) of a number of x, one row for each m. Row 0 is given, and scales the others;
+// P_m = a_m x P_(m-1) - b_m P_(m-2), where step(m) is {a_m, b_m}.
+template <class Step>
+void add_polynomials(const double* x, Matrix& rows, Step&& step) {
+    for (int m = 1; m < rows.rows(); ++m) {
+        const auto [a, b] = step(m);
+        const double* const last = rows.row(m - 1).data();
+        const double* const before = rows.row(std::max(m - 2, 0)).data();
+        double* const now = rows.row(m).data();
+        for (int k = 0; k < rows.cols(); ++k) now[k] = a * x[k] * last[k] - b * before[k];
+    }
+}
+
+void add_legendre(const double* x, Matrix& rows) {
+    add_polynomials(x, rows, [](double m) { return std::pair{(2 * m - 1) / m, (m - 1) / m}; });
+}
+
+// cos(m phi), x = cos(phi).
+void add_chebyshev(const double* x, Matrix& rows) {
+    add_polynomials(x, rows, [](int m) { return m == 1 ? std::pair{1, 0} : std::pair{2, 1}; });
+}
+
+// A panel of Directions: Gauss-Legendre nodes in its own angle, theta_e outside or the angle inside.
 struct Panel {
+    Panel(int first_node, const std::vector<double>& angle, double begin, double end)
+        : first(first_node),
+          count(static_cast<int>(angle.size())),
+          from(begin),
+          to(end),
+          basis(angle),
+          legendre(count, count) {
+        const Quadrature rule = gauss_legendre(count, -1, 1);
+        legendre.row(0).setOnes();
+        add_legendre(rule.nodes.data(), legendre);
+        for (int m = 0; m < count; ++m) {
+            for (int j = 0; j < count; ++j) legendre(m, j) *= (m + 0.5) * rule.weights[j];
+        }
+    }
+
     int first, count;
     double from, to;
     ExitInterpolation basis;
+    // [m][j]: the Lagrange polynomial of node j is the sum of these times P_m, as the rule is exact
+    // for products of two.
+    Matrix legendre;
 };
 
 // A node of the outer integral, on one panel and one side.
@@ -35,16 +76,59 @@ struct OuterNode {
     double masked = 1, reflected_fraction = 0;
 };
 
+// Sums over exits to a panel of their fraction times cos(l phi) l_j(angle), l_j the Lagrange polynomials
+// of its nodes: of Legendre's, for many exits at once, from which those follow at the end.
+class ExitSums {
+ public:
+    ExitSums(const Panel& panel, int orders)
+        : panel_(panel),
+          waves_(orders, kBlock),
+          legendre_(panel.count, kBlock),
+          sums_(Matrix::Zero(orders, panel.count)) {}
+
+    /// @param angle  the panel's
+    void add(const FacetExit& exit, double angle) {
+        waves_(0, count_) = exit.fraction;
+        cos_phi_[count_] = exit.cos_phi;
+        x_[count_] = 2 * (angle - panel_.from) / (panel_.to - panel_.from) - 1;
+        if (++count_ == kBlock) add_block();
+    }
+
+    /// [order][node], when all exits have been added.
+    Matrix by_node() {
+        // Places of the last block that are not taken.
+        waves_.row(0).tail(kBlock - count_).setZero();
+        add_block();
+        return product(sums_, panel_.legendre);
+    }
+
+ private:
+    static constexpr int kBlock = 64;
+
+    void add_block() {
+        add_chebyshev(cos_phi_.data(), waves_);
+        legendre_.row(0).setOnes();
+        add_legendre(x_.data(), legendre_);
+        add_product_with_transposed(sums_, waves_, legendre_);
+        count_ = 0;
+    }
+
+    const Panel& panel_;
+    Matrix waves_, legendre_;  // [order or degree][exit]
+    Matrix sums_;              // [order][degree]
+    std::array<double, kBlock> cos_phi_{}, x_{};
+    int count_ = 0;
+};
+
 class Projection {
  public:
     Projection(const Directions& d, int orders, double alpha)
         : d_(d), orders_(orders), alpha_(alpha) {
-        panels_.push_back({0, d.exit_count, 0.0, kHorizon, ExitInterpolation(d.exit_angle)});
+        panels_.emplace_back(0, d.exit_angle, 0.0, kHorizon);
         if (d.size() > d.exit_count) {
             std::vector<double> angle;
             for (int i = d.exit_count; i < d.size(); ++i) angle.push_back(std::acos(d.mu[i]));
-            panels_.push_back({d.exit_count, d.size() - d.exit_count, std::asin(1 / d.ior),
-                               kHorizon, ExitInterpolation(angle)});
+            panels_.emplace_back(d.exit_count, angle, std::asin(1 / d.ior), kHorizon);
         }
         const double n2 = d.ior * d.ior;
         for (int i = 0; i < d.size(); ++i) etendue_.push_back(n2 * d.weight[i] * d.mu[i]);
@@ -105,37 +189,31 @@ class Projection {
 
     void integrate_facets(OuterNode& s) const {
         const int n = d_.size();
-        const std::size_t size = static_cast<std::size_t>(s.orders) * n;
-        s.reflected.assign(s.outside ? 0 : size, 0.0);
-        s.through.assign(s.outside ? size : 0, 0.0);
         // The basis jumps from panel to panel at the critical angle.
         const double edge = panels_.size() > 1 ? std::sqrt(1 - 1 / (d_.ior * d_.ior)) : 0.0;
         const FacetDetail detail{2.0 * d_.exit_count / kHorizon, static_cast<double>(s.orders),
                                  edge};
-        std::vector<double> basis(n);
+        std::vector<ExitSums> sums;
+        for (const Panel& panel : panels_) sums.emplace_back(panel, s.orders);
         const double here = s.outside ? 1.0 : d_.ior, there = s.outside ? d_.ior : 1.0;
         for_each_facet_exit(s.theta, alpha_, here, there, detail, [&](const FacetExit& exit) {
             s.masked -= exit.fraction;
             if (s.outside != exit.through) return;  // ends outside: closed form
             if (exit.fraction < 1e-15) return;
-            // To the inside: which panel, and the polynomials there.
+            // To the inside: which panel?
             const double sine_outside = d_.ior * exit.sine;
-            const Panel* panel = &panels_[0];
-            double angle = std::asin(std::min(1.0, sine_outside));
             if (sine_outside >= 1 && panels_.size() > 1) {
-                panel = &panels_[1];
-                angle = std::atan2(exit.sine, exit.cosine);
-            }
-            panel->basis.weights_at(angle, basis.data());
-            double* out = (s.outside ? s.through : s.reflected).data() + panel->first;
-            double now = exit.fraction, before = exit.fraction * exit.cos_phi;
-            for (int l = 0; l < s.orders; ++l, out += n) {
-                for (int j = 0; j < panel->count; ++j) out[j] += now * basis[j];
-                const double next = 2 * exit.cos_phi * now - before;
-                before = now;
-                now = next;
+                sums[1].add(exit, std::atan2(exit.sine, exit.cosine));
+            } else {
+                sums[0].add(exit, std::asin(std::min(1.0, sine_outside)));
             }
         });
+        std::vector<double>& values = s.outside ? s.through : s.reflected;
+        values.resize(static_cast<std::size_t>(s.orders) * n);
+        Eigen::Map<Matrix> by_node(values.data(), s.orders, n);
+        for (std::size_t p = 0; p < panels_.size(); ++p) {
+            by_node.middleCols(panels_[p].first, panels_[p].count) = sums[p].by_node();
+        }
     }
 
     // Polynomials are orthogonal under the nodes' own quadrature, nearly so under the
