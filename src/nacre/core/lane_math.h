@@ -104,9 +104,8 @@ inline FloatLanes exp_lanes(const FloatLanes& x) {
 }
 /// e^x for x <= 709; 0 below -708.
 inline DoubleLanes exp_lanes(const DoubleLanes& x) {
-    const auto vanishes = x < -708.0;
-    const DoubleLanes result = detail::exp_of_normal<DoubleLanes>(vanishes ? DoubleLanes{} : x);
-    return vanishes ? DoubleLanes{} : result;
+    const DoubleLanes result = detail::exp_of_normal(max_lanes(splat(-708.0), x));
+    return by_registers([](auto y, auto e) { return y < -708.0 ? decltype(y){} : e; }, x, result);
 }
 
 inline constexpr double kOneMinusExpLanesError = 1e-5;
@@ -167,10 +166,10 @@ inline ComplexLanes operator/(const ComplexLanes& a, const ComplexLanes& b) {
 /// for |z| in [1e-150, 1e150].
 inline ComplexLanes sqrt_upper(const ComplexLanes& z) {
     // The larger part from a sum without cancellation, the other from z.im = 2 Re Im.
-    const DoubleLanes zero{}, size = z.re < 0.0 ? -z.re : z.re;
+    const DoubleLanes size = max_lanes(z.re, -z.re);
     const DoubleLanes larger = sqrt_lanes(0.5 * (sqrt_lanes(norm(z)) + size));
-    const DoubleLanes smaller = larger > 0.0 ? 0.5 * z.im / larger : zero;
-    return {z.re < 0.0 ? smaller : larger, z.re < 0.0 ? larger : smaller};
+    const DoubleLanes smaller = where_positive(larger, 0.5 * z.im / larger, DoubleLanes{});
+    return {where_positive(-z.re, smaller, larger), where_positive(-z.re, larger, smaller)};
 }
 inline ComplexLanes splat_complex(std::complex<double> a) {
     return {nacre::splat(a.real()), nacre::splat(a.imag())};
@@ -195,10 +194,13 @@ inline CosineSine<V> cos_sin_of_quadrant(const V& r, const IntegerLanes<V>& quad
     static constexpr auto sine = taylor_coefficients<Real, n>(-1, 1, 2);
     const V r2 = r * r;
     const V s = r * horner(r2, sine), c = horner(r2, cosine);
-    const auto swapped = (quadrants & 1) != 0;
-    const auto s_negative = (quadrants & 2) != 0, c_negative = ((quadrants + 1) & 2) != 0;
-    const V sin_x = swapped ? c : s, cos_x = swapped ? s : c;
-    return {c_negative ? -cos_x : cos_x, s_negative ? -sin_x : sin_x};
+    const auto of_quadrant = [](auto even, auto odd, auto quadrant) {
+        const auto x = (quadrant & 1) != 0 ? odd : even;
+        return (quadrant & 2) != 0 ? -x : x;
+    };
+    // cos x = sin(x + pi/2)
+    return {by_registers(of_quadrant, s, c, quadrants + 1),
+            by_registers(of_quadrant, s, c, quadrants)};
 }
 }  // namespace detail
 
@@ -246,7 +248,8 @@ inline Decay<V> decay(const V& x) {
     V series = V{} + Real(1);
     for (int k = detail::LaneSeries<Real>::kDecayTerms; k >= 2; --k)
         series = Real(1) - series * x * Real(1.0 / k);
-    return {left, x < Real(0.5) ? series : (Real(1) - left) / max_lanes(x, V{} + Real(0.5))};
+    const V direct = (Real(1) - left) / max_lanes(x, V{} + Real(0.5));
+    return {left, where_positive(Real(0.5) - x, series, direct)};
 }
 
 }  // namespace nacre

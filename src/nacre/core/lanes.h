@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 // Wavelengths are the vector lanes. GCC and Clang share the vector extension used here; an
 // arithmetic operator on a Lanes value is one machine instruction where the machine has the width
@@ -48,14 +49,56 @@ inline void store_lanes(T* p, const V& v) {
     std::memcpy(p, &v, sizeof v);
 }
 
+/// The widest vectors of the machine, in bytes.
+#if defined(__AVX512F__)
+inline constexpr std::size_t kRegisterBytes = 64;
+#elif defined(__AVX__)
+inline constexpr std::size_t kRegisterBytes = 32;
+#else
+inline constexpr std::size_t kRegisterBytes = 16;
+#endif
+
+/// The lower half of the lanes (0), or the upper (1).
+template <class V>
+inline auto half_lanes(const V& a, int which) {
+    using Half __attribute__((vector_size(sizeof(V) / 2))) = std::remove_cvref_t<decltype(a[0])>;
+    Half half;
+    std::memcpy(&half, reinterpret_cast<const char*>(&a) + which * sizeof half, sizeof half);
+    return half;
+}
+
+/// f, which is a function of one lane of each argument, by as many lanes as a register holds: GCC 12
+/// compares the lanes of wider vectors one by one, in four times as many instructions. Numbers are one
+/// lane.
+template <class F, class V, class... More>
+inline V by_registers(F&& f, const V& a, const More&... more) {
+    if constexpr (std::is_arithmetic_v<V>) {
+        return f(a, more...);
+    } else if constexpr (sizeof(V) <= kRegisterBytes) {
+        return f(a, more...);
+    } else {
+        const auto low = by_registers(f, half_lanes(a, 0), half_lanes(more, 0)...);
+        const auto high = by_registers(f, half_lanes(a, 1), half_lanes(more, 1)...);
+        V both;
+        std::memcpy(&both, &low, sizeof low);
+        std::memcpy(reinterpret_cast<char*>(&both) + sizeof low, &high, sizeof high);
+        return both;
+    }
+}
+
 /// Larger and smaller of each pair of lanes; b where a is NaN.
 template <class V>
 inline V max_lanes(V a, V b) {
-    return a > b ? a : b;
+    return by_registers([](auto x, auto y) { return x > y ? x : y; }, a, b);
 }
 template <class V>
 inline V min_lanes(V a, V b) {
-    return a < b ? a : b;
+    return by_registers([](auto x, auto y) { return x < y ? x : y; }, a, b);
+}
+/// Of each lane: a where x > 0, else b.
+template <class V>
+inline V where_positive(V x, V a, V b) {
+    return by_registers([](auto y, auto c, auto d) { return y > 0 ? c : d; }, x, a, b);
 }
 template <class V>
 inline V sqrt_lanes(V a) {
@@ -92,11 +135,7 @@ inline bool any(IntLanes holds) {
 /// addition waits for seven others.
 template <class V>
 inline auto lane_sum(const V& a) {
-    using Half __attribute__((vector_size(sizeof(V) / 2))) = std::remove_cvref_t<decltype(a[0])>;
-    Half low, high;
-    std::memcpy(&low, &a, sizeof low);
-    std::memcpy(&high, reinterpret_cast<const char*>(&a) + sizeof low, sizeof high);
-    const Half s = low + high;
+    const auto s = half_lanes(a, 0) + half_lanes(a, 1);
     return (s[0] + s[2]) + (s[1] + s[3]);
 }
 template <class V>

@@ -78,7 +78,7 @@ template <class T>
 inline T refracted_cos(T n_i, T n_t, T cos_i) {
     const T relative_index = n_t / n_i;
     const T g = scaled_refracted_cos_squared(relative_index, cos_i);
-    return detail::square_root(g > T{} ? g : T{}) / relative_index;
+    return detail::square_root(max_lanes(g, T{})) / relative_index;
 }
 
 /// Unpolarised Fresnel reflectance between transparent media; 1 beyond the critical angle, and at
@@ -92,13 +92,14 @@ inline T dielectric_reflectance(T n_i, T n_t, T cos_i) {
     const T g = scaled_refracted_cos_squared(relative_index, cos_i);
     const T one = T{} + 1;
     // q = (n_t/n_i) cos_t. Of the 0/0 at grazing incidence only the selected value survives.
-    const T q = detail::square_root(g > T{} ? g : one);
+    const T q = detail::square_root(where_positive(g, g, one));
     const T r_s = (cos_i - q) / (cos_i + q);
     const T r_p = (relative_index * relative_index * cos_i - q) /
                   (relative_index * relative_index * cos_i + q);
     const T half = (r_s * r_s + r_p * r_p) / 2;
-    const T beyond = relative_index == one ? T{} : one;
-    return g > T{} ? half : beyond;
+    const T beyond = by_registers([](auto n, auto all) { return n == 1 ? decltype(n){} : all; },
+                                  relative_index, one);
+    return where_positive(g, half, beyond);
 }
 
 /// The same as a function of the relative index n_t / n_i alone.

@@ -222,8 +222,9 @@ class PlateletAverage {
             // Exactly at the critical angle both waves in the film are the same, and the sums
             // below would be 0/0; moving q by 1e-9 changes R and T by as little.
             constexpr double lower_bound = 1e-9;
-            const auto vanishes = norm(q) < lower_bound * lower_bound;
-            q = {vanishes ? splat(lower_bound) : q.re, vanishes ? none : q.im};
+            const DoubleLanes above = norm(q) - lower_bound * lower_bound;
+            q = {where_positive(above, q.re, splat(lower_bound)),
+                 where_positive(above, q.im, none)};
             const ComplexLanes below_s = q, below_p = q / (n * n);
             lanes.interface[0][count - 1 - f] = (y_s - below_s) / (y_s + below_s);
             lanes.interface[1][count - 1 - f] = (y_p - below_p) / (y_p + below_p);

@@ -9,13 +9,7 @@
 
 namespace nacre::solver {
 
-#if defined(__AVX512F__)
-inline constexpr int kRegisterLanes = 8;
-#elif defined(__AVX__)
-inline constexpr int kRegisterLanes = 4;
-#else
-inline constexpr int kRegisterLanes = 2;
-#endif
+inline constexpr int kRegisterLanes = kRegisterBytes / sizeof(double);
 using Register = double __attribute__((vector_size(kRegisterLanes * sizeof(double))));
 
 /// Of eight numbers.

@@ -87,9 +87,9 @@ class ExitSums {
           sums_(Matrix::Zero(orders, panel.count)) {}
 
     /// @param angle  the panel's
-    void add(const FacetExit& exit, double angle) {
-        waves_(0, count_) = exit.fraction;
-        cos_phi_[count_] = exit.cos_phi;
+    void add(double fraction, double cos_phi, double angle) {
+        waves_(0, count_) = fraction;
+        cos_phi_[count_] = cos_phi;
         x_[count_] = 2 * (angle - panel_.from) / (panel_.to - panel_.from) - 1;
         if (++count_ == kBlock) add_block();
     }
@@ -196,16 +196,17 @@ class Projection {
         std::vector<ExitSums> sums;
         for (const Panel& panel : panels_) sums.emplace_back(panel, s.orders);
         const double here = s.outside ? 1.0 : d_.ior, there = s.outside ? d_.ior : 1.0;
-        for_each_facet_exit(s.theta, alpha_, here, there, detail, [&](const FacetExit& exit) {
-            s.masked -= exit.fraction;
-            if (s.outside != exit.through) return;  // ends outside: closed form
-            if (exit.fraction < 1e-15) return;
-            // To the inside: which panel?
-            const double sine_outside = d_.ior * exit.sine;
-            if (sine_outside >= 1 && panels_.size() > 1) {
-                sums[1].add(exit, std::atan2(exit.sine, exit.cosine));
-            } else {
-                sums[0].add(exit, std::asin(std::min(1.0, sine_outside)));
+        for_each_facet_exit(s.theta, alpha_, here, there, detail, [&](const FacetExits& exits) {
+            s.masked -= lane_sum(exits.fraction);
+            if (s.outside != exits.through) return;  // ends outside: closed form
+            for (int i = 0; i < kLanes; ++i) {
+                if (exits.fraction[i] < 1e-15) continue;
+                // To the inside: which panel?
+                const double sine_outside = d_.ior * exits.sine[i];
+                const bool beyond = sine_outside >= 1 && panels_.size() > 1;
+                sums[beyond].add(exits.fraction[i], exits.cos_phi[i],
+                                 beyond ? std::atan2(exits.sine[i], exits.cosine[i])
+                                        : std::asin(std::min(1.0, sine_outside)));
             }
         });
         std::vector<double>& values = s.outside ? s.through : s.reflected;

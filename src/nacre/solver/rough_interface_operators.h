@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "nacre/core/lane_math.h"
+#include "nacre/core/lanes.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/solver/directions.h"
@@ -21,13 +23,13 @@
 
 namespace nacre::solver {
 
-/// Light that leaves the surface after one facet, and its exit direction.
-struct FacetExit {
-    double fraction = 0;  ///< of the light that met the surface
+/// Light that leaves the surface after one facet, and its exit direction: of eight facets.
+struct FacetExits {
     bool through = false;
-    double cosine = 0;  ///< of the exit direction, in (0, 1]
-    double sine = 0;
-    double cos_phi = 1;  ///< azimuth between directions of travel before and after
+    DoubleLanes fraction{};  ///< of the light that met the surface; 0 where none leaves
+    DoubleLanes cosine{};    ///< of the exit direction, in (0, 1]
+    DoubleLanes sine{};
+    DoubleLanes cos_phi{};  ///< azimuth between directions of travel before and after
 };
 
 /// How fast the integrand varies, for the choice of nodes.
@@ -39,7 +41,11 @@ struct FacetDetail {
     double edge_inside = 0;
 };
 
-/// Calls visit(FacetExit) for nodes that integrate over all that leaves the surface when light
+/// smith_beckmann_over_cosine(), to 1e-13 of it.
+DoubleLanes smith_beckmann_over_cosine(const DoubleLanes& cosine, const DoubleLanes& sine,
+                                       double alpha);
+
+/// Calls visit(FacetExits) for nodes that integrate over all that leaves the surface when light
 /// comes from the polar angle theta on the side of index n_here. Fractions sum to 1 - m(theta).
 ///
 /// Nodes are polar in the slope plane. Rings are cut where facets turn out of sight, reflect or
@@ -56,32 +62,51 @@ void for_each_facet_exit(double theta, double alpha, double n_here, double n_the
     const double scale = smith_beckmann_over_cosine(c, s, alpha);
     const double t_max = alpha * std::sqrt(kTail);
 
-    const auto facet = [&](double p, double q, double weight) {
-        const double length = std::sqrt(1 + p * p + q * q);
-        const double projected = c + s * p;
-        if (!(projected > 0)) return;
-        const double cosine = std::min(1.0, projected / length);
-        const double fraction = weight * projected * scale;
-        const double reflectance = optics::dielectric_reflectance(n_here, n_there, cosine);
-        const auto leave = [&](double x, double y, double z, double part, bool through) {
-            if (!(z > 0)) return;
-            const double across = std::sqrt(x * x + y * y);
-            FacetExit exit;
+    // Of eight facets: their slope's size and azimuth, as part of a turn, and their weight.
+    struct Node {
+        double t = 0, turn = 0, weight = 0;
+    };
+    std::array<Node, kLanes> waiting;
+    int waiting_count = 0;
+    const auto evaluate = [&] {
+        const auto lanes = [&](double Node::*value) {
+            return make_lanes<DoubleLanes>([&](int i) { return waiting[i].*value; });
+        };
+        const DoubleLanes zero{}, one = splat(1.0), t = lanes(&Node::t);
+        const CosineSine<DoubleLanes> azimuth = cos_sin_turns(lanes(&Node::turn));
+        const DoubleLanes p = t * azimuth.cosine, q = t * azimuth.sine;
+        const DoubleLanes length = sqrt_lanes(1 + t * t);
+        const DoubleLanes projected = max_lanes(c + s * p, zero);
+        const DoubleLanes cosine = min_lanes(projected / length, one);
+        const DoubleLanes fraction = lanes(&Node::weight) * projected * scale;
+        const DoubleLanes reflectance =
+            optics::dielectric_reflectance(splat(n_here), splat(n_there), cosine);
+        const auto leave = [&](const DoubleLanes& x, const DoubleLanes& y, const DoubleLanes& z,
+                               const DoubleLanes& part, bool through) {
+            const DoubleLanes across = sqrt_lanes(x * x + y * y);
+            FacetExits exit;
             exit.through = through;
-            exit.cosine = std::min(1.0, z);
-            exit.sine = std::min(1.0, across);
-            exit.fraction = fraction * part * exit.cosine *
-                            smith_beckmann_over_cosine(exit.cosine, exit.sine, alpha);
-            exit.cos_phi = across > 0 ? std::clamp(-x / across, -1.0, 1.0) : 1.0;
+            exit.cosine = where_positive(z, min_lanes(z, one), one);
+            exit.sine = min_lanes(across, one);
+            exit.fraction =
+                where_positive(z,
+                               fraction * part * exit.cosine *
+                                   smith_beckmann_over_cosine(exit.cosine, exit.sine, alpha),
+                               zero);
+            exit.cos_phi =
+                where_positive(across, min_lanes(max_lanes(-x / across, -one), one), one);
             visit(exit);
         };
-        const double twice = 2 * cosine / length;
+        const DoubleLanes twice = 2 * cosine / length;
         leave(twice * p - s, twice * q, twice - c, reflectance, false);
-        if (reflectance < 1) {
-            const double bend =
-                (cosine / eta - optics::refracted_cos(n_here, n_there, cosine)) / length;
-            leave(bend * p - s / eta, bend * q, c / eta - bend, 1 - reflectance, true);
+        const DoubleLanes transmittance = 1 - reflectance;
+        if (lane_max(transmittance) > 0) {
+            const DoubleLanes bend =
+                (cosine / eta - optics::refracted_cos(splat(n_here), splat(n_there), cosine)) /
+                length;
+            leave(bend * p - s / eta, bend * q, c / eta - bend, transmittance, true);
         }
+        waiting_count = 0;
     };
 
     // Cosines of exit directions at which rings are cut.
@@ -143,7 +168,8 @@ void for_each_facet_exit(double theta, double alpha, double n_here, double n_the
                                          : from + width * u * u * (3 - 2 * u);
                 const double step =
                     whole ? std::numbers::pi / count : width * rule.weights[i] * 6 * u * (1 - u);
-                facet(t * std::cos(phi), t * std::sin(phi), weight * step);
+                waiting[waiting_count] = {t, phi / (2 * std::numbers::pi), weight * step};
+                if (++waiting_count == kLanes) evaluate();
             }
         }
     };
@@ -181,6 +207,10 @@ void for_each_facet_exit(double theta, double alpha, double n_here, double n_the
             const double u = rule.nodes[i];
             ring(from + width * u * u * (3 - 2 * u), width * rule.weights[i] * 6 * u * (1 - u));
         }
+    }
+    if (waiting_count > 0) {
+        for (int i = waiting_count; i < kLanes; ++i) waiting[i].weight = 0;
+        evaluate();
     }
 }
 

@@ -29,6 +29,18 @@ paint::Recipe rough_paint(double flake_alpha, double reflectance, double transmi
     return recipe;
 }
 
+TEST(RoughInterface, MaskingOfLanesIsThatOfOneNumber) {
+    for (const double alpha : {0.01, 0.2, 1.0}) {
+        for (int k = 0; k <= 1000; ++k) {
+            const double theta = std::numbers::pi / 2 * k / 1000;
+            const double c = std::cos(theta), s = std::sin(theta);
+            const double one = smith_beckmann_over_cosine(c, s, alpha);
+            const DoubleLanes lanes = smith_beckmann_over_cosine(splat(c), splat(s), alpha);
+            EXPECT_NEAR(lanes[0], one, 1e-13 * one) << alpha << ", " << theta;
+        }
+    }
+}
+
 // Integral of f(theta_o, phi) cos over the hemisphere.
 template <class F>
 double over_hemisphere(int polar, int azimuthal, F&& f) {
@@ -79,8 +91,8 @@ TEST(RoughInterface, LetsAsMuchOutAsIn) {
     const double ior = 1.5, alpha = 0.4;
     const auto through = [&](double theta, double here, double there) {
         double sum = 0;
-        for_each_facet_exit(theta, alpha, here, there, {}, [&](const FacetExit& exit) {
-            if (exit.through) sum += exit.fraction;
+        for_each_facet_exit(theta, alpha, here, there, {}, [&](const FacetExits& exits) {
+            if (exits.through) sum += lane_sum(exits.fraction);
         });
         return sum;
     };
