@@ -72,9 +72,7 @@ inline auto half_lanes(const V& a, int which) {
 /// lane.
 template <class F, class V, class... More>
 inline V by_registers(F&& f, const V& a, const More&... more) {
-    if constexpr (std::is_arithmetic_v<V>) {
-        return f(a, more...);
-    } else if constexpr (sizeof(V) <= kRegisterBytes) {
+    if constexpr (sizeof(V) <= kRegisterBytes) {
         return f(a, more...);
     } else {
         const auto low = by_registers(f, half_lanes(a, 0), half_lanes(more, 0)...);
@@ -140,9 +138,8 @@ inline auto lane_sum(const V& a) {
 }
 template <class V>
 inline auto lane_max(V a) {
-    auto s = a[0];
-    for (int i = 1; i < kLanes; ++i) s = std::max(s, a[i]);
-    return s;
+    const auto s = max_lanes(half_lanes(a, 0), half_lanes(a, 1));
+    return std::max(std::max(s[0], s[2]), std::max(s[1], s[3]));
 }
 template <class V>
 inline auto lane_mean(V a) {
