@@ -148,7 +148,7 @@ void expect_estimators_agree(const bsdf::Bsdf& surface, bool light_alone) {
     const render::RenderOptions options{
         .width = 24, .height = 24, .samples_per_pixel = 64, .max_depth = 1};
     const auto mean = [&](render::DirectLight how) {
-        return render::testing::estimate_luminance(scene, options, how, 8);
+        return render::testing::estimate_luminance(scene, options, how, 16);
     };
     const Estimate both = mean(render::DirectLight::combined);
     EXPECT_LT(both.standard_error, 0.002 * both.value);

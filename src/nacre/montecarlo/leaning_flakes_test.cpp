@@ -107,7 +107,7 @@ TEST(LeaningFlakes, AreWhatWalksFindOfThemToFirstOrder) {
          {LeanCase{"metallic", metallic, 0.16}, LeanCase{"tinted coat", tinted, 0.16},
           LeanCase{"over white", over_white, 0.12}, LeanCase{"gaps over white", gaps, 0.16},
           LeanCase{"lossless over white", lossless, 0.15, 0.006, 0.009}}) {
-        for (const double tilt_deg : {3.0, 10.0}) {
+        for (const double tilt_deg : {3.0, 6.0, 10.0}) {
             const LeanErrors errors = lean_errors_of(c.recipe, tilt_deg, c.alpha);
             std::printf("[ measured ] %s, %g deg: %.4f near, %.4f of the mean elsewhere\n", c.name,
                         tilt_deg, errors.near, errors.rest);

@@ -30,11 +30,12 @@ void add_polynomials(const double* x, Matrix& rows, Step&& step) {
     }
 }
 
+// Legendre's, by Bonnet's recurrence.                       [abramowitz-stegun-1964, 8.5.3]
 void add_legendre(const double* x, Matrix& rows) {
     add_polynomials(x, rows, [](double m) { return std::pair{(2 * m - 1) / m, (m - 1) / m}; });
 }
 
-// cos(m phi), x = cos(phi).
+// Chebyshev's, cos(m phi) of x = cos(phi).                     [abramowitz-stegun-1964, 22.7.4]
 void add_chebyshev(const double* x, Matrix& rows) {
     add_polynomials(x, rows, [](int m) { return m == 1 ? std::pair{1, 0} : std::pair{2, 1}; });
 }
@@ -73,7 +74,7 @@ struct OuterNode {
     std::vector<double> basis;               // the panel's Lagrange polynomials here
     int orders;                              // that are not negligible
     std::vector<double> reflected, through;  // [order][node inside]: inner integral by node
-    double masked = 1, reflected_fraction = 0;
+    double masked = 1;
 };
 
 // Sums over exits to a panel of their fraction times cos(l phi) l_j(angle), l_j the Lagrange polynomials

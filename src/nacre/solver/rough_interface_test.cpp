@@ -31,12 +31,19 @@ paint::Recipe rough_paint(double flake_alpha, double reflectance, double transmi
 
 TEST(RoughInterface, MaskingOfLanesIsThatOfOneNumber) {
     for (const double alpha : {0.01, 0.2, 1.0}) {
-        for (int k = 0; k <= 1000; ++k) {
-            const double theta = std::numbers::pi / 2 * k / 1000;
-            const double c = std::cos(theta), s = std::sin(theta);
-            const double one = smith_beckmann_over_cosine(c, s, alpha);
-            const DoubleLanes lanes = smith_beckmann_over_cosine(splat(c), splat(s), alpha);
-            EXPECT_NEAR(lanes[0], one, 1e-13 * one) << alpha << ", " << theta;
+        // Each time from the normal to the horizon: lanes that are masked beside some that are not.
+        constexpr int kSteps = 128;
+        for (int k = 0; k < kSteps; ++k) {
+            const auto theta = make_lanes<DoubleLanes>([&](int i) {
+                return std::numbers::pi / 2 * (i * kSteps + k) / (kLanes * kSteps - 1);
+            });
+            const auto c = make_lanes<DoubleLanes>([&](int i) { return std::cos(theta[i]); });
+            const auto s = make_lanes<DoubleLanes>([&](int i) { return std::sin(theta[i]); });
+            const DoubleLanes lanes = smith_beckmann_over_cosine(c, s, alpha);
+            for (int i = 0; i < kLanes; ++i) {
+                const double one = smith_beckmann_over_cosine(c[i], s[i], alpha);
+                EXPECT_NEAR(lanes[i], one, 1e-13 * one) << alpha << ", " << theta[i];
+            }
         }
     }
 }
