@@ -39,9 +39,12 @@ void choose_rough(double alpha, double roughness, double n, const SolverSettings
     }
     r.exit_nodes = exit_nodes;
     r.inner_nodes = std::min(round_up_to_tile(7 + 0.5 / alpha), SolverSettings::kMaxNodes);
+    // Lobes of flakes, widened by the facets that refract them; and what facets scatter to the
+    // horizon. An estimate, as below.
     const double tangent = 1 / std::sqrt(n * n - 1);
-    r.orders =
-        static_cast<int>(std::min<double>(SolverSettings::kMaxOrders, 16 + 4 * tangent / alpha));
+    const double widened = std::hypot(alpha, std::min(0.25, 0.5 * (n - 1)) * roughness);
+    const double orders = 8 + 8 * roughness * tangent + 3 * tangent / widened;
+    r.orders = static_cast<int>(std::min<double>(SolverSettings::kMaxOrders, orders));
 }
 
 }  // namespace

@@ -157,6 +157,23 @@ class Projection {
         return normaliser_.topLeftCorner(out.size(), out.size()) * out;
     }
 
+    // The root mean square, over the etendue inside, of a function given by its projection there:
+    // of the part of it that is a polynomial in the cosine, with half as many terms as exit nodes.
+    double smooth_rms(const Vector& function) const {
+        const Vector one = ones(false);
+        const Eigen::Map<const Vector> mu(d_.mu.data(), d_.size());
+        std::vector<Vector> smooth;  // orthonormal, of rising degree
+        double sum = 0;
+        for (int degree = 0; degree < d_.exit_count / 2; ++degree) {
+            Vector next = degree ? mu.cwiseProduct(smooth.back()).eval() : one;
+            for (const Vector& lower : smooth) next -= lower.dot(next) * lower;
+            smooth.push_back(next / next.norm());
+            const double part = smooth.back().dot(function);
+            sum += part * part;
+        }
+        return std::sqrt(sum) / one.norm();
+    }
+
     // The projection of the function 1, which is exact.
     Vector ones(bool outside) const {
         Vector out(outside ? d_.exit_count : d_.size());
@@ -166,8 +183,10 @@ class Projection {
 
  private:
     void add_outer_nodes(const Panel& panel, bool outside) {
-        // Exact for products of two basis functions and a smooth third one.
-        const Quadrature rule = gauss_legendre(panel.count + 16, panel.from, panel.to);
+        // Exact for products of two basis functions and a smooth third one. Beyond the critical
+        // angle there are few nodes, and masking begins within its roughness of the horizon.
+        const int more = panel.first == 0 ? 12 : 16;
+        const Quadrature rule = gauss_legendre(panel.count + more, panel.from, panel.to);
         for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
             OuterNode s;
             s.panel = &panel;
@@ -281,8 +300,8 @@ RoughInterfaceOperators::RoughInterfaceOperators(const Directions& d, const Acti
             const Vector masked_inside = projection.ones(false) -
                                          reflection * projection.ones(false) -
                                          transmission.transpose() * projection.ones(true);
-            const Vector found = projection.project(false, &OuterNode::masked);
-            asymmetry_ = (found - masked_inside).norm() / projection.ones(false).norm();
+            asymmetry_ = projection.smooth_rms(projection.project(false, &OuterNode::masked) -
+                                               masked_inside);
             const double total = masked_outside.dot(projection.ones(true)) +
                                  masked_inside.dot(projection.ones(false));
             if (total > 0) {

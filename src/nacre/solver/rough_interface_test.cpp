@@ -93,6 +93,48 @@ TEST(RoughInterface, ClosedFormAndFacetIntegralAgreeOnTheAlbedo) {
     }
 }
 
+TEST(RoughInterface, FacetNodesResolveWhatExitNodesDo) {
+    // What is reflected from outside, times a wave that is smooth on the sphere: over facets, and
+    // over directions by the closed form. The azimuth of facets is that of travel, turned by pi.
+    constexpr int kExitNodes = 28;
+    const FacetDetail detail{.polar = 2 * kExitNodes / kHorizon, .order = 26, .edge_inside = 0};
+    for (const int order : {0, 4, 12}) {
+        const auto wave = [&](double theta_o, double phi) {
+            return std::cos(kExitNodes / 2 * std::cos(theta_o)) *
+                   std::pow(std::sin(theta_o), order) * std::cos(order * phi);
+        };
+        for (const double alpha : {0.1, 0.3, 0.6}) {
+            const RoughInterface interface(1.5, alpha);
+            for (const double theta : {0.2, 0.9, 1.4}) {
+                double sum = 0;
+                for_each_facet_exit(theta, alpha, 1.0, 1.5, detail, [&](const FacetExits& exits) {
+                    if (exits.through) return;
+                    for (int i = 0; i < kLanes; ++i) {
+                        sum += exits.fraction[i] * wave(std::atan2(exits.sine[i], exits.cosine[i]),
+                                                        std::acos(exits.cos_phi[i]));
+                    }
+                });
+                const double direct = over_hemisphere(200, 200, [&](double theta_o, double phi) {
+                    return interface.facet_brdf(theta, theta_o, phi) *
+                           wave(theta_o, phi - std::numbers::pi);
+                });
+                EXPECT_NEAR(sum, direct, 1e-6) << order << ", " << alpha << ", " << theta;
+            }
+        }
+    }
+}
+
+TEST(RoughInterface, OperatorsAreReciprocal) {
+    // For radiance that is smooth on the sphere, with nodes such as recipes get.
+    for (const auto& [exits, alpha] :
+         {std::pair(28, 0.12), std::pair(36, 0.06), std::pair(20, 0.3), std::pair(44, 0.03)}) {
+        const Directions directions = make_directions(1.5, exits, 12);
+        const RoughInterfaceOperators operators(directions, ActiveNodes(directions, 0.15, 8),
+                                                alpha);
+        EXPECT_LT(operators.asymmetry(), 1e-6) << alpha;
+    }
+}
+
 TEST(RoughInterface, LetsAsMuchOutAsIn) {
     // Reciprocity of the transmission: its integral over etendue is the same from both sides.
     const double ior = 1.5, alpha = 0.4;
