@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <atomic>
 #include <cmath>
 #include <memory>
 #include <mutex>
@@ -54,11 +56,19 @@ Quadrature upper_half(int n) {
     return half;
 }
 
-// One rule for each number of nodes, made when it is first asked for and kept.
+// Finding the zeros takes time in n^2: rules of up to so many nodes are kept, four megabytes in all.
+constexpr int kMaxKeptNodes = 1024;
+
+// One rule for each number of nodes, made when it is first asked for and kept. Small ones, which
+// inner loops ask for, are found without a lock.
 class RuleCache {
  public:
     template <class Make>
     const Quadrature& at(int n, const Make& make) {
+        const bool small = n <= kMaxKeptNodes;
+        if (small) {
+            if (const Quadrature* rule = small_[n].load(std::memory_order_acquire)) return *rule;
+        }
         {
             const std::scoped_lock lock(mutex_);
             if (static_cast<int>(rules_.size()) <= n) rules_.resize(n + 1);
@@ -67,16 +77,15 @@ class RuleCache {
         auto made = std::make_unique<const Quadrature>(make(n));  // others need not wait meanwhile
         const std::scoped_lock lock(mutex_);
         if (!rules_[n]) rules_[n] = std::move(made);
+        if (small) small_[n].store(rules_[n].get(), std::memory_order_release);
         return *rules_[n];
     }
 
  private:
     std::mutex mutex_;
     std::vector<std::unique_ptr<const Quadrature>> rules_;
+    std::array<std::atomic<const Quadrature*>, kMaxKeptNodes + 1> small_{};
 };
-
-// Finding the zeros takes time in n^2: rules of up to so many nodes are kept, four megabytes in all.
-constexpr int kMaxKeptNodes = 1024;
 
 }  // namespace
 
