@@ -30,7 +30,7 @@ void check_nodes(int value, int max_value, const char* what) {
 void choose_rough(double alpha, double roughness, double n, const SolverSettings& settings,
                   Resolution& r) {
     const int exit_nodes =
-        round_up_to_tile(std::max(15 + 0.7 / alpha, 8 + 6 / std::sqrt(roughness)));
+        round_up_to_tile(std::max(15 + 0.7 / alpha, 5 + 6.1 / std::sqrt(roughness)));
     if (exit_nodes > SolverSettings::kMaxNodes && !settings.exit_nodes) {
         throw Error(fmt::format(
             "flakes of alpha = {} under a rough clearcoat need {} nodes, more than the {} there "
