@@ -107,10 +107,14 @@ std::vector<double> SolvedPaint::brdf(double theta_i, double theta_o, double phi
         f[w] += factor * multiple;
     });
     if (part == Part::multiple) return f;
+    double ior = 1, interface = 0;  // of the wavelength before: many binders have one index
     for (int w = 0; w < count; ++w) {
-        if (is_rough(w)) {
-            f[w] += rough_interface_brdf(medium.ior[w], medium.roughness, theta_i, theta_o, phi);
+        if (!is_rough(w)) continue;
+        if (medium.ior[w] != ior) {
+            ior = medium.ior[w];
+            interface = rough_interface_brdf(ior, medium.roughness, theta_i, theta_o, phi);
         }
+        f[w] += interface;
     }
     return f;
 }

@@ -42,7 +42,12 @@ class GroupSolver {
           active_(directions_, resolution.lobe_alpha, resolution.orders),
           wavelengths_(medium.wavelength_count()) {
         const bool rough = medium.roughness > 0 && directions_.ior > 1;
-        if (rough) interface_ = rough_interface_operators(directions_, active_, medium.roughness);
+        if (rough) {
+            interface_ = rough_interface_operators(directions_, active_, medium.roughness);
+            // Kept for those who read the solution, who ask for it from all threads at once: each
+            // would make it.
+            rough_interface(directions_.ior, medium.roughness);
+        }
         const int lit = rough ? directions_.size() : directions_.exit_count;
         blocks_.resize(paint::block_count(wavelengths_));
         std::vector<std::vector<Losses>> losses;  // [layer][node]
