@@ -122,7 +122,7 @@ void for_each_facet_exit(double theta, double alpha, double n_here, double n_the
         return detail.polar * std::min(inside ? 2 * t : t, 0.5 * std::numbers::pi) +
                detail.order * std::min(2 * t / std::max(s, 1e-9), 1.0);
     };
-    const double base = inside ? 16 : 10;  // steep about the angle of total reflection
+    const double base = inside ? 12 : 10;  // steep about the angle of total reflection
     const auto nodes = [](double count) { return 4 * static_cast<int>(std::ceil(count / 4)); };
 
     const auto ring = [&](double t, double weight) {
