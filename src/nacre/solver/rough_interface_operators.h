@@ -122,8 +122,10 @@ void for_each_facet_exit(double theta, double alpha, double n_here, double n_the
         return detail.polar * std::min(inside ? 2 * t : t, 0.5 * std::numbers::pi) +
                detail.order * std::min(2 * t / std::max(s, 1e-9), 1.0);
     };
-    const double base = inside ? 12 : 10;  // steep about the angle of total reflection
-    const auto nodes = [](double count) { return 4 * static_cast<int>(std::ceil(count / 4)); };
+    // Of an integrand without phase: to 1e-7 of all facets, and with phase as far as exit nodes
+    // resolve radiance (rough_interface_test.cpp).
+    constexpr double kBase = 12, kAtLeast = 5;
+    const auto nodes = [](double count) { return static_cast<int>(std::ceil(count)); };
 
     const auto ring = [&](double t, double weight) {
         weight *= 2 * t / (alpha * alpha) * std::exp(-t * t / (alpha * alpha)) / std::numbers::pi;
@@ -155,8 +157,8 @@ void for_each_facet_exit(double theta, double alpha, double n_here, double n_the
             for (int j = k; j > 0 && cut[j] < cut[j - 1]; --j) std::swap(cut[j], cut[j - 1]);
         }
         const bool whole = cuts == 2 && end == std::numbers::pi;
-        // Few facets are so steep: fewer digits of what they do will do.
-        const double ring_base = base * (1 - 0.5 * (t * t) / (t_max * t_max));
+        // The fewer facets are so steep, the fewer digits of what they do matter.
+        const double ring_base = kBase * (1 - 0.5 * (t * t) / (t_max * t_max));
         for (int k = 0; k + 1 < cuts; ++k) {
             const double from = cut[k], width = cut[k + 1] - from;
             if (width < 1e-12) continue;
@@ -204,7 +206,7 @@ void for_each_facet_exit(double theta, double alpha, double n_here, double n_the
     for (int k = 0; k + 1 < cuts; ++k) {
         const double from = cut[k], width = cut[k + 1] - from;
         if (width < 1e-12 * t_max) continue;
-        const int count = nodes(4 + (2 * base + 0.36 * phase_of(t_max)) * width / t_max);
+        const int count = nodes(kAtLeast + (2 * kBase + 0.36 * phase_of(t_max)) * width / t_max);
         const Quadrature& rule = unit_gauss_legendre(count);
         for (int i = 0; i < count; ++i) {
             const double u = rule.nodes[i];
