@@ -37,7 +37,11 @@ void choose_rough(double alpha, double roughness, double n, const SolverSettings
             "may be: use wider flakes, a smooth clearcoat, or set exit_nodes",
             alpha, exit_nodes, SolverSettings::kMaxNodes));
     }
-    r.exit_nodes = exit_nodes;
+    // A coat widens lobes by its index on their way out; one of nearly the index of air hardly does,
+    // and has hardly any nodes beyond the critical angle.
+    const double narrow = std::max(1.0, 2.6 - 6 * (n - 1));
+    r.exit_nodes = std::max(exit_nodes, std::min(round_up_to_tile(15 + 0.7 * narrow / alpha),
+                                                 SolverSettings::kMaxNodes));
     r.inner_nodes = std::min(round_up_to_tile(7 + 0.5 / alpha), SolverSettings::kMaxNodes);
     // Lobes of flakes, widened by the facets that refract them; and what facets scatter to the
     // horizon. An estimate, as below.

@@ -75,7 +75,7 @@ RoughInterface::RoughInterface(double ior, double alpha) : ior_(ior), alpha_(alp
     const int inner_nodes = std::min(kNodes, static_cast<int>(12 + 3.5 / std::sqrt(alpha)));
     const Quadrature refracted = gauss_legendre(inner_nodes, 0.0, kHorizon);
     const Quadrature beyond = gauss_legendre(inner_nodes, std::asin(1 / ior), kHorizon);
-    const auto etendue = [](const Quadrature& rule, int i) {  // over 2 pi n^2
+    const auto etendue = [](const Quadrature& rule, int i) {  // over 2 pi, n^2 left out inside
         return rule.weights[i] * std::sin(rule.nodes[i]) * std::cos(rule.nodes[i]);
     };
     const auto masked_inside = [&](double theta) {
