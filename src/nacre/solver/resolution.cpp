@@ -37,16 +37,14 @@ void choose_rough(double alpha, double roughness, double n, const SolverSettings
             "may be: use wider flakes, a smooth clearcoat, or set exit_nodes",
             alpha, exit_nodes, SolverSettings::kMaxNodes));
     }
-    // A coat widens lobes by its index on their way out; one of nearly the index of air hardly does,
-    // and has hardly any nodes beyond the critical angle.
-    const double narrow = std::max(1.0, 2.6 - 6 * (n - 1));
-    r.exit_nodes = std::max(exit_nodes, std::min(round_up_to_tile(15 + 0.7 * narrow / alpha),
+    // Lobes as they leave: a coat of index n widens those of flakes n times, and so do the facets that
+    // refract them. Between nodes too far apart the dark angles beside a lobe ring.
+    const double widened = std::hypot(alpha, std::min(0.25, 0.5 * (n - 1)) * roughness);
+    r.exit_nodes = std::max(exit_nodes, std::min(round_up_to_tile(15 + 1.65 / (n * widened)),
                                                  SolverSettings::kMaxNodes));
     r.inner_nodes = std::min(round_up_to_tile(7 + 0.5 / alpha), SolverSettings::kMaxNodes);
-    // Lobes of flakes, widened by the facets that refract them; and what facets scatter to the
-    // horizon. An estimate, as below.
+    // For lobes, and for what facets scatter to the horizon. An estimate, as below.
     const double tangent = 1 / std::sqrt(n * n - 1);
-    const double widened = std::hypot(alpha, std::min(0.25, 0.5 * (n - 1)) * roughness);
     const double orders = 8 + 8 * roughness * tangent + 3 * tangent / widened;
     r.orders = static_cast<int>(std::min<double>(SolverSettings::kMaxOrders, orders));
 }
