@@ -158,13 +158,14 @@ class Projection {
     }
 
     // The root mean square, over the etendue inside, of a function given by its projection there:
-    // of the part of it that is a polynomial in the cosine, with half as many terms as exit nodes.
+    // of the part of it that is a polynomial in the cosine, of as many terms for any number of nodes.
     double smooth_rms(const Vector& function) const {
         const Vector one = ones(false);
         const Eigen::Map<const Vector> mu(d_.mu.data(), d_.size());
         std::vector<Vector> smooth;  // orthonormal, of rising degree
         double sum = 0;
-        for (int degree = 0; degree < d_.exit_count / 2; ++degree) {
+        const int terms = std::min(12, d_.exit_count);
+        for (int degree = 0; degree < terms; ++degree) {
             Vector next = degree ? mu.cwiseProduct(smooth.back()).eval() : one;
             for (const Vector& lower : smooth) next -= lower.dot(next) * lower;
             smooth.push_back(next / next.norm());

@@ -85,8 +85,10 @@ class GroupSolver {
             out.unresolved_scattering = std::max(out.unresolved_scattering, block.unresolved);
         }
         if (interface_) {
+            // Held to a tenth of what flakes may leave unresolved: the BRDF errs by as much, not by
+            // a fraction of it.
             out.unresolved_scattering =
-                std::max(out.unresolved_scattering, interface_->asymmetry());
+                std::max(out.unresolved_scattering, 10 * interface_->asymmetry());
         }
         tbb::enumerable_thread_specific<OrderWorkspace> workspaces(
             [&] { return OrderWorkspace(directions_.size()); });
