@@ -254,10 +254,11 @@ class RoughInterfaceOperators {
 
     const Order& order(int l) const { return orders_[l]; }
 
-    /// Error of reciprocity of the quadratures: the difference between the masked fraction m inside,
-    /// found from inside and from what enters, rms over etendue. Of it the part that is smooth on
-    /// the sphere, a polynomial of twelve terms in the cosine: the polynomials of nodes are in the angle, and may
-    /// have a cone at the normal, which no radiance has and the nodes of facets do not follow.
+    /// Error of reciprocity of the quadratures: the difference between the masked fraction m
+    /// inside, found from inside and from what enters, rms over etendue. Of it the part that is
+    /// smooth on the sphere, a polynomial of twelve terms in the cosine: the polynomials of nodes
+    /// are in the angle, and may have a cone at the normal, which no radiance has and the nodes of
+    /// facets do not follow.
     double asymmetry() const { return asymmetry_; }
 
     std::size_t bytes() const;
