@@ -53,8 +53,8 @@ PaintBlock make_block(const PaintMedium& medium, const Directions& d,
     for (int i = 0; i < n; ++i) {
         out.coat.push_back(make_lanes<DoubleLanes>(
             [&](int lane) { return std::exp(-clearcoat[lane] / d.mu[i]); }));
-        out.interface_reflectance.push_back(
-            splat(optics::dielectric_reflectance(d.ior, 1.0, d.mu[i])));
+        out.returned.push_back(out.coat[i] * out.coat[i] *
+                               optics::dielectric_reflectance(d.ior, 1.0, d.mu[i]));
     }
     LaneBuffer depth(lit, DoubleLanes{});  // above the layer, one way
     for (std::size_t k = 0; k < medium.layers.size(); ++k) {
@@ -148,15 +148,6 @@ void set_paint_impedance(const PaintBlock& block, const Directions& d, int order
     }
 }
 
-// From impedance to reflection, seen through the clearcoat.
-void reflect_under_coat(const PaintBlock& block, DoubleLanes* y, int first, int m,
-                        ImpedanceWorkspace& work) {
-    impedance_to_reflection(y, m, work);
-    for (int i = 0; i < m; ++i) {
-        for (int j = 0; j < m; ++j) y[i * m + j] *= block.coat[first + i] * block.coat[first + j];
-    }
-}
-
 // 2 pi sqrt(W_i W_j) with W = weight x cosine of an active node inside the coat: the operator of an
 // order f_ij of the BRDF is R_ij = 2 pi sqrt(W_i W_j) f_ij.
 double flux(const Directions& d, int first, int i, int j) {
@@ -170,15 +161,15 @@ void solve_order(const PaintBlock& block, const Directions& d, const ActiveNodes
                  OrderWorkspace& work, DoubleLanes* out) {
     const int first = active.first(order), m = d.size() - first, exits = d.exit_count - first;
     set_paint_impedance(block, d, order, first, work);
-    DoubleLanes *y = work.y.data(), *u = work.u.data();
-    reflect_under_coat(block, y, first, m, work.impedance);
-    reflect_under_interface(y, block.interface_reflectance.data() + first, u, m, exits,
+    DoubleLanes* const u = work.u.data();
+    reflect_under_interface(work.y.data(), block.returned.data() + first, u, m, exits,
                             work.impedance);
 
     // Subtract single scattering, in the same discretisation.
+    const DoubleLanes* const coat = block.coat.data() + first;
     for (int i = 0; i < exits; ++i) {
         for (int j = 0; j <= i; ++j) {
-            *out++ = u[i * exits + j] * (1 / flux(d, first, i, j)) -
+            *out++ = u[i * exits + j] * coat[i] * coat[j] * (1 / flux(d, first, i, j)) -
                      single_scattering(block, order, first, i, j) *
                          (1 / (d.mu[first + i] * d.mu[first + j]));
         }
@@ -192,7 +183,12 @@ void solve_rough_order(const PaintBlock& block, const RoughInterfaceOperators::O
     set_paint_impedance(block, d, order, first, work);
     DoubleLanes *y = work.y.data(), *u = work.u.data(), *s = work.e.data(), *once = work.f.data();
     if (block.coat_absorbs) {
-        reflect_under_coat(block, y, first, m, work.impedance);
+        impedance_to_reflection(y, m, work.impedance);
+        for (int i = 0; i < m; ++i) {
+            for (int j = 0; j < m; ++j) {
+                y[i * m + j] *= block.coat[first + i] * block.coat[first + j];
+            }
+        }
         impedance_to_reflection(y, m, work.impedance);  // its own inverse
     }
     reflect_under_rough_interface(interface, y, u, work.impedance);

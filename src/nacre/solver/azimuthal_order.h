@@ -28,8 +28,8 @@ struct LayerBlock {
 /// All layers, and what lies above and below.
 struct PaintBlock {
     std::vector<LayerBlock> layers;
-    LaneBuffer coat;                   ///< by node: transmittance of the clearcoat, one way
-    LaneBuffer interface_reflectance;  ///< by node: reflectance of the interface from inside
+    LaneBuffer coat;      ///< by node: transmittance of the clearcoat, one way
+    LaneBuffer returned;  ///< by node: what a smooth interface sends back, through the coat twice
     bool coat_absorbs = false;
     DoubleLanes substrate{};
     double unresolved = 0;  ///< as SolverReport::unresolved_scattering

@@ -20,13 +20,13 @@ void copy(DoubleLanes* to, const DoubleLanes* from, int count) {
 }  // namespace
 
 int doublings_for(double largest_optical_depth) {
-    // x <= 0.16 for every mode of total optical depth 10 or less: relative error 1.5e-5 at 10,
-    // 1e-9 at 1. Deeper modes are opaque: what they are started as matters only until 4^k exceeds
-    // their depth (see the header), with a factor 8 to spare.
-    const double relevant = std::min(largest_optical_depth, 10.0);
-    const double thin = std::log2(std::max(relevant, 1e-300) / 0.32);
-    const double thick = 0.5 * std::log2(std::max(8.0 * largest_optical_depth, 1e-300));
-    const double needed = largest_optical_depth > 10.0 ? std::max(thin, thick) : thin;
+    // x <= 0.375 for modes of total optical depth d up to 6: relative error 1.8e-6 at 6, 3e-8 at 3,
+    // as in all the half-thicknesses that follow. Those of deeper modes err more, but move Z less,
+    // as it approaches its limit: d/2 sech^2(d/2) x^6/1575 is at most 5e-8. What opaque modes start
+    // as matters only until their half-thickness 2^k 6/x is 16, where tanh is 1 to 3e-14.
+    const double thin = std::log2(std::clamp(largest_optical_depth, 1e-300, 6.0) / 0.75);
+    const double thick = 0.5 * std::log2(std::max(largest_optical_depth * 4 / 3, 1e-300));
+    const double needed = largest_optical_depth > 6.0 ? std::max(thin, thick) : thin;
     return std::max(0, static_cast<int>(std::ceil(needed)));
 }
 
@@ -34,27 +34,33 @@ void slab_impedance(DoubleLanes* e, DoubleLanes* f, double thickness, int doubli
                     ImpedanceWorkspace& work) {
     const int count = n * n;
     const double x = std::ldexp(thickness, -doublings - 1);
-    DoubleLanes *factor = work.a.data(), *solved = work.b.data();
+    DoubleLanes *factor = work.a.data(), *solved = work.b.data(), *second = work.c.data();
 
-    // Z_a = (F x)^-1 + E x/3,  Z_s = E x - (E x) Z_a^-1 (E x)/3: tanh x = x/(1 + x^2/3).
+    // With a = E x and b = (F x)^-1, tanh x = x/(1 + x^2/(3 + x^2/5)) and its inverse:
+    // Z_a = b + a/3 - a (5 b + a/3)^-1 a/9,  Z_s = a - a (3 b + 6 a/5)^-1 a.
     for (int i = 0; i < n; ++i) f[i * n + i] += splat(kMinDepth / x);
     invert_spd(f, solved, n);
     for (int i = 0; i < count; ++i) {
-        e[i] *= x;
-        f[i] = f[i] * (1.0 / x) + e[i] * (1.0 / 3.0);
+        const DoubleLanes a = e[i] * x, b = f[i] * (1.0 / x);
+        e[i] = solved[i] = a;
+        f[i] = b + a * (1.0 / 3.0);
+        factor[i] = 5.0 * b + a * (1.0 / 3.0);
+        second[i] = 3.0 * b + 1.2 * a;
     }
-    copy(factor, f, count);
-    copy(solved, e, count);
     cholesky(factor, n);
     forward_solve(factor, solved, n, n);
-    add_gram(1.0, e, -1.0 / 3.0, solved, n, n);
+    add_gram(1.0, f, -1.0 / 9.0, solved, n, n);
+    copy(solved, e, count);
+    cholesky(second, n);
+    forward_solve(second, solved, n, n);
+    add_gram(1.0, e, -1.0, solved, n, n);
 
     for (int k = 0; k < doublings; ++k) {
         for (int i = 0; i < count; ++i) {
+            solved[i] = e[i];
             factor[i] = e[i] + f[i];
             f[i] = 0.5 * factor[i];
         }
-        copy(solved, e, count);
         cholesky(factor, n);
         forward_solve(factor, solved, n, n);
         add_gram(2.0, e, -2.0, solved, n, n);
@@ -82,19 +88,30 @@ void impedance_to_reflection(DoubleLanes* y, int n, ImpedanceWorkspace& work) {
     for (int i = 0; i < n; ++i) y[i * n + i] -= splat(1.0);
 }
 
-void reflect_under_interface(DoubleLanes* r, const DoubleLanes* interface_reflectance,
+void reflect_under_interface(const DoubleLanes* y, const DoubleLanes* interface_reflectance,
                              DoubleLanes* u, int n, int rows, ImpedanceWorkspace& work) {
-    DoubleLanes *factor = work.a.data(), *solved = work.b.data(), *root = work.c.data();
-    for (int i = 0; i < n; ++i) root[i] = sqrt_lanes(interface_reflectance[i]);
+    DoubleLanes *factor = work.a.data(), *last = work.b.data(), *inverse = work.c.data();
+    // From the last node to the first: the factor of the inverse's block of the first `rows` nodes
+    // is then the last block of the factor.
     for (int i = 0; i < n; ++i) {
-        for (int j = 0; j < n; ++j) factor[i * n + j] = -root[i] * r[i * n + j] * root[j];
-        factor[i * n + i] += splat(1.0);
-        for (int j = 0; j < rows; ++j) solved[i * rows + j] = root[i] * r[i * n + j];
+        const int from = (n - 1 - i) * n + n - 1;
+        for (int j = 0; j <= i; ++j) factor[i * n + j] = y[from - j];
+        const DoubleLanes& f = interface_reflectance[n - 1 - i];
+        factor[i * n + i] += (1.0 - f) / (1.0 + f);
     }
-    for (int i = 0; i < rows; ++i) copy(u + i * rows, r + i * n, rows);
     cholesky(factor, n);
-    forward_solve(factor, solved, n, rows);
-    add_gram(1.0, u, 1.0, solved, n, rows);
+    for (int i = 0; i < rows; ++i) {
+        copy(last + i * rows, factor + (n - rows + i) * n + n - rows, rows);
+    }
+    invert_factored(last, inverse, rows);
+    for (int i = 0; i < rows; ++i) {
+        const DoubleLanes row = 1.0 / (1.0 + interface_reflectance[i]);
+        for (int j = 0; j < rows; ++j) {
+            const DoubleLanes& at = last[(rows - 1 - i) * rows + rows - 1 - j];
+            u[i * rows + j] = 2.0 * row * at / (1.0 + interface_reflectance[j]);
+        }
+        u[i * rows + i] -= row;
+    }
 }
 
 }  // namespace nacre::solver

@@ -38,9 +38,9 @@ struct ImpedanceWorkspace {
 
 /// How many doublings a slab needs.
 ///
-/// Modes of half-thickness x err in optical thickness by x^4/45 in the starting step (the third
+/// Modes of half-thickness x err in optical thickness by x^6/1575 in the starting step (the third
 /// convergent of tanh's continued fraction); modes too thick for it start as if they had half-
-/// thickness 3/x and must double until they are opaque.
+/// thickness 6/x and must double until they are opaque.
 /// @param largest_optical_depth  thickness times the largest extinction over cosine of the nodes
 int doublings_for(double largest_optical_depth);
 
@@ -64,10 +64,14 @@ void stack_on(const DoubleLanes* zs, const DoubleLanes* za, DoubleLanes* y, int 
 /// Reflection psi- = R psi+ from impedance, R = 2 (1 + y)^-1 - 1; in place.
 void impedance_to_reflection(DoubleLanes* y, int n, ImpedanceWorkspace& work);
 
-/// U = R + R F^1/2 (1 - F^1/2 R F^1/2)^-1 F^1/2 R, the light that leaves the paint upwards inside
-/// the coat when the interface reflects the fraction interface_reflectance[i] of node i back down;
-/// the first `rows` rows and columns only, into u (rows x rows). R is overwritten.
-void reflect_under_interface(DoubleLanes* r, const DoubleLanes* interface_reflectance,
+/// U = R (1 - f R)^-1, the light that leaves the paint upwards inside the coat when the interface
+/// reflects the fraction f_i = interface_reflectance[i] of node i back down, from the impedance y
+/// of all that lies below. An interface is a shunt too, D = (1 - f)/(1 + f), and
+///
+///     U = 2 (1 + f)^-1 (y + D)^-1 (1 + f)^-1 - (1 + f)^-1.
+///
+/// The first `rows` rows and columns only, into u (rows x rows); reads the lower triangle of y.
+void reflect_under_interface(const DoubleLanes* y, const DoubleLanes* interface_reflectance,
                              DoubleLanes* u, int n, int rows, ImpedanceWorkspace& work);
 
 }  // namespace nacre::solver

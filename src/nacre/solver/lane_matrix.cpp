@@ -218,6 +218,10 @@ void multiply_transposed(const double* b, const DoubleLanes* a, DoubleLanes* c, 
 
 void invert_spd(DoubleLanes* a, DoubleLanes* work, int n) {
     cholesky(a, n);
+    invert_factored(a, work, n);
+}
+
+void invert_factored(DoubleLanes* a, DoubleLanes* work, int n) {
     std::memset(work, 0, sizeof(DoubleLanes) * n * n);
     for (int i = 0; i < n; ++i) work[i * n + i] = splat(1.0);
     const auto identity = [](int J) { return J; };

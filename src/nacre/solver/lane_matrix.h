@@ -34,5 +34,7 @@ void multiply_transposed(const double* b, const DoubleLanes* a, DoubleLanes* c, 
 
 /// A := A^-1 for a symmetric positive definite matrix; `work` holds n * n elements.
 void invert_spd(DoubleLanes* a, DoubleLanes* work, int n);
+/// The same from the factor of A that cholesky() left in its place.
+void invert_factored(DoubleLanes* a, DoubleLanes* work, int n);
 
 }  // namespace nacre::solver

@@ -66,8 +66,7 @@ class GroupSolver {
             blocks_[b] =
                 make_block(medium, directions_, kernels_, losses, lit, static_cast<int>(b));
             if (internal == InternalReflection::lost) {
-                std::fill(blocks_[b].interface_reflectance.begin(),
-                          blocks_[b].interface_reflectance.end(), DoubleLanes{});
+                std::fill(blocks_[b].returned.begin(), blocks_[b].returned.end(), DoubleLanes{});
             }
             work_.add(kBlockWork);
         });
