@@ -10,6 +10,7 @@
 #include "nacre/paint/beckmann.h"
 #include "nacre/solver/lane_matrix.h"
 #include "nacre/solver/lane_registers.h"
+#include "nacre/solver/order_interpolation.h"
 
 namespace nacre::solver {
 
@@ -108,8 +109,9 @@ ActiveNodes::ActiveNodes(const Directions& d, double alpha, int orders) {
         // e^(-B) I_l(B) with B = tan^2 theta/(2 alpha^2) falls below 1e-5 of its first term at
         // l = sqrt(23 B) = 3.4 tan theta/alpha; wide lobes need a few orders more.
         const double tangent = std::sqrt(1 - d.mu[i] * d.mu[i]) / d.mu[i];
-        const double needed = std::ceil(3.4 * tangent / alpha) + 10;
-        order_count_.push_back(static_cast<int>(std::min<double>(needed, orders)));
+        const double needed = std::min<double>(std::ceil(3.4 * tangent / alpha) + 10, orders);
+        order_count_.push_back(
+            std::min(next_solved_order(static_cast<int>(needed) - 1) + 1, orders));
     }
     for (int l = 0; l < orders; ++l) {
         int first = 0;

@@ -24,7 +24,8 @@ inline constexpr const char* kSolving = "solving the paint";
 constexpr std::size_t triangle(std::size_t rows) { return rows * (rows + 1) / 2; }
 
 /// Which nodes take part in which order. A direction near the normal has hardly any high orders
-/// (they vanish like sin^l theta); the nodes that do are the last ones.
+/// (they vanish like sin^l theta); the nodes that do are the last ones. What nodes take part changes
+/// only after orders that are solved and not interpolated (order_interpolation.h).
 class ActiveNodes {
  public:
     /// @param alpha   smallest flake roughness, which sets the width of lobes in azimuth

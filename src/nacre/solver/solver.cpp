@@ -12,6 +12,7 @@
 #include "nacre/core/memory.h"
 #include "nacre/core/parallel.h"
 #include "nacre/solver/azimuthal_order.h"
+#include "nacre/solver/order_interpolation.h"
 #include "nacre/solver/resolution.h"
 #include "nacre/solver/wavelength_groups.h"
 
@@ -40,7 +41,8 @@ class GroupSolver {
           directions_(
               make_directions(medium.ior[0], resolution.exit_nodes, resolution.inner_nodes)),
           active_(directions_, resolution.lobe_alpha, resolution.orders),
-          wavelengths_(medium.wavelength_count()) {
+          wavelengths_(medium.wavelength_count()),
+          workspaces_([this] { return OrderWorkspace(directions_.size()); }) {
         const bool rough = medium.roughness > 0 && directions_.ior > 1;
         if (rough) {
             interface_ = rough_interface_operators(directions_, active_, medium.roughness);
@@ -71,11 +73,14 @@ class GroupSolver {
             work_.add(kBlockWork);
         });
         set_peaks(medium);
+        for (int l = 0; l < active_.orders() && active_.first(l) < directions_.exit_count; ++l) {
+            first_.push_back(active_.first(l));
+        }
     }
 
-    // Solves orders in parallel until those omitted sum to less than `tolerance` of the peak.
+    // Solves orders until those omitted sum to less than `tolerance` of the peak.
     GroupSolution run(double tolerance) {
-        constexpr int kChunk = 4;
+        constexpr std::size_t kChunk = 4;
         GroupSolution out;
         out.wavelength_count = wavelengths_;
         out.exit_angle = directions_.exit_angle;
@@ -89,37 +94,18 @@ class GroupSolver {
             out.unresolved_scattering =
                 std::max(out.unresolved_scattering, 10 * interface_->asymmetry());
         }
-        tbb::enumerable_thread_specific<OrderWorkspace> workspaces(
-            [&] { return OrderWorkspace(directions_.size()); });
-        const int blocks = static_cast<int>(blocks_.size());
-        const std::size_t pairs = exit_pairs(directions_, active_);
-        out.values.reserve(pairs * wavelengths_);
-        if (interface_) out.single_values.reserve(pairs * wavelengths_);
+        const std::vector<int> sequence = solved_orders(static_cast<int>(first_.size()));
         double last_chunk = 0;
-        for (int from = 0; from < active_.orders(); from += kChunk) {
-            const int count = std::min(kChunk, active_.orders() - from);
-            std::vector<LaneBuffer> values(static_cast<std::size_t>(count) * blocks);
-            parallel_for(0, count * blocks, [&](int task) {
-                work_.require_going(kSolving);
-                const int order = from + task / blocks;
-                const int rows = directions_.exit_count - active_.first(order);
-                if (rows <= 0) return;
-                const PaintBlock& block = blocks_[task % blocks];
-                OrderWorkspace& work = workspaces.local();
-                const std::size_t pairs = triangle(rows);
-                values[task].resize(interface_ ? 2 * pairs : pairs);
-                DoubleLanes* const at = values[task].data();
-                if (interface_) {
-                    solve_rough_order(block, interface_->order(order), directions_, order, work,
-                                      at + pairs, at);
-                } else {
-                    solve_order(block, directions_, active_, order, work, at);
-                }
-                work_.add();
-            });
+        for (std::size_t from = 0; from < sequence.size(); from += kChunk) {
+            const auto chunk_orders =
+                std::span(sequence).subspan(from, std::min(kChunk, sequence.size() - from));
+            solve_orders(chunk_orders);
             double chunk = 0;
-            for (int c = 0; c < count; ++c) {
-                chunk += 2 * append_order(out, from + c, &values[c * blocks]);
+            for (int l : chunk_orders) {
+                // Each stands for those up to the next, too.
+                const double stands_for = next_solved_order(l + 1) - l;
+                raise_peaks(l, stands_for);
+                chunk += 2 * stands_for * size_of(l, multiple_[l], single_[l]);
             }
             // Sum of the omitted orders, extrapolated as a geometric series from the last two
             // chunks.
@@ -128,12 +114,17 @@ class GroupSolver {
             if (from > 0 && out.azimuthal_tail < tolerance) break;
             last_chunk = chunk;
         }
+        interpolate_orders(tolerance);
+        out.first.assign(first_.begin(), first_.begin() + orders());
+        out.values = unpack(multiple_);
+        if (interface_) out.single_values = unpack(single_);
         return out;
     }
 
     // Of a group of `wavelengths`, in units of one order of one block.
     static double work(int wavelengths, const Resolution& resolution) {
-        return paint::block_count(wavelengths) * (kBlockWork + resolution.orders);
+        const std::size_t orders = solved_orders(resolution.orders).size();
+        return paint::block_count(wavelengths) * static_cast<double>(kBlockWork + orders);
     }
 
  private:
@@ -145,7 +136,7 @@ class GroupSolver {
     void set_peaks(const PaintMedium& medium) {
         peak_.assign(static_cast<std::size_t>(directions_.exit_count) * blocks_.size(),
                      DoubleLanes{});
-        if (interface_) return;  // see add_to_peaks()
+        if (interface_) return;  // see raise_peaks()
         for (std::size_t b = 0; b < blocks_.size(); ++b) {
             for (int i = 0; i < directions_.exit_count; ++i) {
                 const double mu = directions_.mu[i];
@@ -155,59 +146,48 @@ class GroupSolver {
                                           static_cast<int>(b)) *
                            blocks_[b].layers[k].single_factor[triangle(i) + i] * (1 / (mu * mu));
                 }
-                peak_[b * directions_.exit_count + i] = sum;
+                peak_[i * blocks_.size() + b] = sum;
             }
         }
     }
 
-    // Under a rough interface: the sum of the orders so far in the specular direction.
-    void add_to_peaks(int order, int first, const LaneBuffer* by_block) {
-        const int rows = directions_.exit_count - first;
-        for (std::size_t b = 0; b < blocks_.size(); ++b) {
-            for (int i = 0; i < rows; ++i) {
-                const std::size_t at = triangle(i) + i;
-                peak_[b * directions_.exit_count + first + i] +=
-                    (order ? 2.0 : 1.0) * (by_block[b][at] + by_block[b][triangle(rows) + at]);
-            }
-        }
-    }
-
-    // Appends an order's values as [pair][wavelength]; returns its size relative to the peaks.
-    double append_order(GroupSolution& out, int order, const LaneBuffer* by_block) {
-        const int first = active_.first(order);
-        if (first >= directions_.exit_count) return 0;
-        const int rows = directions_.exit_count - first;
-        out.first.push_back(first);
-        if (interface_) add_to_peaks(order, first, by_block);
-        DoubleLanes size{}, broken{};  // broken: 0, not a number where a result is not finite
-        std::size_t pair = 0;
-        const std::size_t pairs = triangle(rows);
-        const auto append = [&](std::vector<double>& values, const DoubleLanes& lanes,
-                                std::size_t b) {
-            const double* const from = reinterpret_cast<const double*>(&lanes);
-            const int left = wavelengths_ - static_cast<int>(b) * kLanes;
-            values.insert(values.end(), from, from + std::min<int>(kLanes, left));
-        };
+    // Order 0 of what is diffuse counts as peak too; under a rough interface, the sum of the orders
+    // so far in the specular direction.
+    void raise_peaks(int order, double stands_for) {
+        const int first = first_[order], rows = directions_.exit_count - first;
+        const std::size_t blocks = blocks_.size();
+        std::size_t at = 0;
         for (int i = 0; i < rows; ++i) {
-            for (int j = 0; j <= i; ++j, ++pair) {
-                for (std::size_t b = 0; b < blocks_.size(); ++b) {
-                    DoubleLanes value = by_block[b][pair];
-                    if (interface_) {
-                        const DoubleLanes& single = by_block[b][pairs + pair];
-                        append(out.single_values, single, b);
-                        append(out.values, value, b);
-                        value += single;
-                    } else {
-                        append(out.values, value, b);
-                    }
+            DoubleLanes* const peak_i = peak_.data() + (first + i) * blocks;
+            for (int j = 0; j <= i; ++j) {
+                DoubleLanes* const peak_j = peak_.data() + (first + j) * blocks;
+                for (std::size_t b = 0; b < blocks; ++b, ++at) {
+                    DoubleLanes value = multiple_[order][at];
+                    if (interface_) value += single_[order][at];
+                    if (interface_ && i == j) peak_i[b] += (order ? 2 * stands_for : 1.0) * value;
+                    if (order > 0) continue;
+                    peak_i[b] = max_lanes(peak_i[b], value);
+                    peak_j[b] = max_lanes(peak_j[b], value);
+                }
+            }
+        }
+    }
+
+    // Of values of an order, relative to the peaks.
+    double size_of(int order, const OrderValues& multiple, const OrderValues& single) const {
+        const int first = first_[order], rows = directions_.exit_count - first;
+        const std::size_t blocks = blocks_.size();
+        DoubleLanes size{}, broken{};  // broken: 0, not a number where a result is not finite
+        std::size_t at = 0;
+        for (int i = 0; i < rows; ++i) {
+            const DoubleLanes* const peak_i = peak_.data() + (first + i) * blocks;
+            for (int j = 0; j <= i; ++j) {
+                const DoubleLanes* const peak_j = peak_.data() + (first + j) * blocks;
+                for (std::size_t b = 0; b < blocks; ++b, ++at) {
+                    DoubleLanes value = multiple[at];
+                    if (interface_) value += single[at];
                     broken += value - value;
-                    DoubleLanes* peak = peak_.data() + b * directions_.exit_count + first;
-                    // Order 0 of what is diffuse counts as peak too.
-                    if (order == 0) {
-                        peak[i] = max_lanes(peak[i], value);
-                        peak[j] = max_lanes(peak[j], value);
-                    }
-                    const DoubleLanes scale = min_lanes(peak[i], peak[j]);
+                    const DoubleLanes scale = min_lanes(peak_i[b], peak_j[b]);
                     // Beyond the last wavelength lanes repeat it.
                     size = max_lanes(
                         size, max_lanes(value, -value) / max_lanes(scale, splat(kBlackBrdf)));
@@ -223,6 +203,96 @@ class GroupSolver {
         return lane_max(size);
     }
 
+    // In parallel.
+    void solve_orders(std::span<const int> orders) {
+        const std::size_t blocks = blocks_.size();
+        const std::size_t needed = orders.empty() ? 0 : orders.back() + 1;
+        multiple_.resize(std::max(multiple_.size(), needed));
+        single_.resize(multiple_.size());
+        for (int l : orders) {
+            const std::size_t pairs = triangle(directions_.exit_count - first_[l]);
+            multiple_[l].resize(pairs * blocks);
+            if (interface_) single_[l].resize(pairs * blocks);
+        }
+        parallel_for(0, orders.size() * blocks, [&](std::size_t task) {
+            work_.require_going(kSolving);
+            const int l = orders[task / blocks];
+            const std::size_t b = task % blocks;
+            const std::size_t pairs = multiple_[l].size() / blocks;
+            OrderWorkspace& work = workspaces_.local();
+            LaneBuffer values(interface_ ? 2 * pairs : pairs);
+            if (interface_) {
+                solve_rough_order(blocks_[b], interface_->order(l), directions_, l, work,
+                                  values.data() + pairs, values.data());
+            } else {
+                solve_order(blocks_[b], directions_, active_, l, work, values.data());
+            }
+            for (std::size_t pair = 0; pair < pairs; ++pair) {
+                multiple_[l][pair * blocks + b] = values[pair];
+                if (interface_) single_[l][pair * blocks + b] = values[pairs + pair];
+            }
+            work_.add();
+        });
+    }
+
+    OrderValues interpolated(int l, const std::vector<OrderValues>& known) const {
+        return interpolate_order(l, known, first_, directions_.exit_count,
+                                 static_cast<int>(blocks_.size()));
+    }
+
+    // Orders that were left out: first those at the largest distance from their neighbours, from
+    // which the others are interpolated then. Of each stretch one is solved too, to see whether this
+    // paint is as smooth as flakes are; if not, all.
+    void interpolate_orders(double tolerance) {
+        const std::vector<int> probes = probe_orders(orders());
+        for (auto probe = probes.rbegin(); probe != probes.rend(); ++probe) {
+            const int distance = *probe & -*probe;
+            OrderValues multiple = interpolated(*probe, multiple_), single;
+            if (interface_) single = interpolated(*probe, single_);
+            solve_orders({&*probe, 1});
+            for (std::size_t k = 0; k < multiple.size(); ++k) multiple[k] -= multiple_[*probe][k];
+            for (std::size_t k = 0; k < single.size(); ++k) single[k] -= single_[*probe][k];
+            std::vector<int> left_out;
+            for (int l = *probe; l < std::min(2 * (*probe - distance), orders()); ++l) {
+                if (multiple_[l].empty()) left_out.push_back(l);
+            }
+            const double error =
+                2.0 * static_cast<double>(left_out.size() + 1) * size_of(*probe, multiple, single);
+            if (error > kInterpolationShare * tolerance) solve_orders(left_out);
+            std::vector<int> between;
+            for (int l = distance; l < orders(); l += 2 * distance) {
+                if (multiple_[l].empty()) between.push_back(l);
+            }
+            parallel_for(0, between.size(), [&](std::size_t k) {
+                const int l = between[k];
+                OrderValues values = interpolated(l, multiple_);
+                if (interface_) single_[l] = interpolated(l, single_);
+                multiple_[l] = std::move(values);
+            });
+        }
+    }
+
+    // [order][pair][block] as [order][pair][wavelength].
+    std::vector<double> unpack(const std::vector<OrderValues>& from) const {
+        const std::size_t blocks = blocks_.size();
+        std::vector<double> out;
+        std::size_t count = 0;
+        for (const OrderValues& values : from) count += values.size() / blocks * wavelengths_;
+        out.reserve(count);
+        for (const OrderValues& values : from) {
+            for (std::size_t at = 0; at < values.size(); at += blocks) {
+                const auto* const lanes = reinterpret_cast<const double*>(&values[at]);
+                out.insert(out.end(), lanes, lanes + wavelengths_);
+            }
+        }
+        return out;
+    }
+
+    // What interpolation between orders may add to the error, of the tolerance.
+    static constexpr double kInterpolationShare = 0.1;
+
+    int orders() const { return static_cast<int>(multiple_.size()); }
+
     SharedProgress& work_;
     Directions directions_;
     ActiveNodes active_;
@@ -230,7 +300,11 @@ class GroupSolver {
     int wavelengths_;
     std::vector<FourierKernel> kernels_;  // by layer
     std::vector<PaintBlock> blocks_;
-    LaneBuffer peak_;
+    LaneBuffer peak_;  // [exit node][block]
+    tbb::enumerable_thread_specific<OrderWorkspace> workspaces_;
+    std::vector<int> first_;  // by order: the first active node
+    // By order; empty where it is not known. The second under a rough interface.
+    std::vector<OrderValues> multiple_, single_;
 };
 
 // The peak of the memory that a solution takes, in bytes: the kernels of the group that is being
