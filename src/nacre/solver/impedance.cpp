@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace nacre::solver {
 
@@ -13,8 +12,13 @@ namespace {
 // its inverse far from the largest number.
 constexpr double kMinDepth = 1e-30;
 
-void copy(DoubleLanes* to, const DoubleLanes* from, int count) {
-    std::memcpy(to, from, sizeof(DoubleLanes) * count);
+// Calls body(element) for the elements of an n x n matrix on and below its diagonal, all that
+// Cholesky factors are made from.
+template <class Body>
+void lower_triangle(int n, const Body& body) {
+    for (int i = 0; i < n; ++i) {
+        for (int at = i * n; at <= i * n + i; ++at) body(at);
+    }
 }
 
 }  // namespace
@@ -32,7 +36,6 @@ int doublings_for(double largest_optical_depth) {
 
 void slab_impedance(DoubleLanes* e, DoubleLanes* f, double thickness, int doublings, int n,
                     ImpedanceWorkspace& work) {
-    const int count = n * n;
     const double x = std::ldexp(thickness, -doublings - 1);
     DoubleLanes *factor = work.a.data(), *solved = work.b.data(), *second = work.c.data();
 
@@ -40,45 +43,42 @@ void slab_impedance(DoubleLanes* e, DoubleLanes* f, double thickness, int doubli
     // Z_a = b + a/3 - a (5 b + a/3)^-1 a/9,  Z_s = a - a (3 b + 6 a/5)^-1 a.
     for (int i = 0; i < n; ++i) f[i * n + i] += splat(kMinDepth / x);
     invert_spd(f, solved, n);
-    for (int i = 0; i < count; ++i) {
-        const DoubleLanes a = e[i] * x, b = f[i] * (1.0 / x);
-        e[i] = solved[i] = a;
+    for (int i = 0; i < n * n; ++i) e[i] *= x;
+    lower_triangle(n, [&](int i) {
+        const DoubleLanes a = e[i], b = f[i] * (1.0 / x);
         f[i] = b + a * (1.0 / 3.0);
         factor[i] = 5.0 * b + a * (1.0 / 3.0);
         second[i] = 3.0 * b + 1.2 * a;
-    }
+    });
     cholesky(factor, n);
-    forward_solve(factor, solved, n, n);
+    forward_solve(factor, e, solved, n, n);
     add_gram(1.0, f, -1.0 / 9.0, solved, n, n);
-    copy(solved, e, count);
     cholesky(second, n);
-    forward_solve(second, solved, n, n);
+    forward_solve(second, e, solved, n, n);
     add_gram(1.0, e, -1.0, solved, n, n);
 
     for (int k = 0; k < doublings; ++k) {
-        for (int i = 0; i < count; ++i) {
-            solved[i] = e[i];
+        lower_triangle(n, [&](int i) {
             factor[i] = e[i] + f[i];
             f[i] = 0.5 * factor[i];
-        }
+        });
         cholesky(factor, n);
-        forward_solve(factor, solved, n, n);
+        forward_solve(factor, e, solved, n, n);
         add_gram(2.0, e, -2.0, solved, n, n);
     }
 }
 
 void stack_on(const DoubleLanes* zs, const DoubleLanes* za, DoubleLanes* y, int n,
               ImpedanceWorkspace& work) {
-    const int count = n * n;
-    DoubleLanes *factor = work.a.data(), *solved = work.b.data();
-    for (int i = 0; i < count; ++i) {
-        solved[i] = y[i] + zs[i];
-        factor[i] = solved[i] + 0.5 * (za[i] - zs[i]);
-        y[i] = solved[i] + zs[i];
+    DoubleLanes *factor = work.a.data(), *q = work.b.data();
+    for (int i = 0; i < n * n; ++i) {
+        q[i] = y[i] + zs[i];
+        y[i] = q[i] + zs[i];
     }
+    lower_triangle(n, [&](int i) { factor[i] = q[i] + 0.5 * (za[i] - zs[i]); });
     cholesky(factor, n);
-    forward_solve(factor, solved, n, n);
-    add_gram(1.0, y, -1.0, solved, n, n);
+    forward_solve(factor, q, q, n, n);
+    add_gram(1.0, y, -1.0, q, n, n);
 }
 
 void impedance_to_reflection(DoubleLanes* y, int n, ImpedanceWorkspace& work) {
@@ -101,7 +101,7 @@ void reflect_under_interface(const DoubleLanes* y, const DoubleLanes* interface_
     }
     cholesky(factor, n);
     for (int i = 0; i < rows; ++i) {
-        copy(last + i * rows, factor + (n - rows + i) * n + n - rows, rows);
+        std::copy_n(factor + (n - rows + i) * n + n - rows, i + 1, last + i * rows);
     }
     invert_factored(last, inverse, rows);
     for (int i = 0; i < rows; ++i) {

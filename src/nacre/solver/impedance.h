@@ -46,12 +46,13 @@ int doublings_for(double largest_optical_depth);
 
 /// Z_s and Z_a of a slab of thickness `thickness` (in units of the inverse of E and F), n nodes.
 /// E and F are n x n, symmetric, F positive definite or 0 (a slab that is empty at a wavelength has
-/// Z_s = 0 and some Z_a >= 1e30 there); both are overwritten: E by Z_s, F by Z_a.
+/// Z_s = 0 and some Z_a >= 1e30 there); both are overwritten: E by Z_s, F by Z_a on and below its
+/// diagonal.
 void slab_impedance(DoubleLanes* e_to_zs, DoubleLanes* f_to_za, double thickness, int doublings,
                     int n, ImpedanceWorkspace& work);
 
 /// The impedance y (v = y u, n x n) seen through a slab that lies on something of impedance y;
-/// in place. With Q = y + Z_s,
+/// in place, Z_a from its lower triangle. With Q = y + Z_s,
 ///
 ///     y' = Z_s + Q - Q (Q + (Z_a - Z_s)/2)^-1 Q,
 ///

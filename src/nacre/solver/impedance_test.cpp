@@ -73,6 +73,9 @@ Slab slab(const Medium& m, double thickness, int doublings) {
     Slab s{test::to_lanes(m.e), test::to_lanes(m.f)};
     ImpedanceWorkspace work(n);
     slab_impedance(s.zs.data(), s.za.data(), thickness, doublings, n, work);
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < i; ++j) s.za[j * n + i] = s.za[i * n + j];
+    }
     return s;
 }
 Slab slab(const Medium& m, double thickness) {

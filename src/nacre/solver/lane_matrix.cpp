@@ -63,27 +63,28 @@ struct Strides {
     int row, column;
 };
 
-// A tile of X = L^-1 B in place of B: `l` are its rows of L and `solved` its columns of X, both from
-// the first of `count` rows of X that are known; `diagonal` is the tile of L to solve with.
+// A tile of X = L^-1 B, which may stand in its place: `l` are its rows of L and `solved` its columns of
+// X, both from the first of `count` rows of X that are known; `diagonal` is the tile of L to solve
+// with.
 inline void substitute(const DoubleLanes* l, const DoubleLanes* diagonal, int n,
-                       const DoubleLanes* solved, int count, DoubleLanes* b, Strides at) {
+                       const DoubleLanes* solved, int count, const DoubleLanes* b, DoubleLanes* to,
+                       Strides at) {
     for (int part = 0; part < kRegisters; ++part) {
         for (int j = 0; j < kTile; j += kColumns) {
             Sums x;
             multiply(x, l, n, 1, solved + j * at.column, at.column, at.row, count, part);
-            DoubleLanes* const to = b + j * at.column;
 #pragma GCC unroll 4
             for (int i = 0; i < kTile; ++i) {
 #pragma GCC unroll 4
                 for (int c = 0; c < kColumns; ++c) {
-                    DoubleLanes* const element = to + i * at.row + c * at.column;
-                    x[i][c] = load(element, part) - x[i][c];
+                    const int element = i * at.row + (j + c) * at.column;
+                    x[i][c] = load(b + element, part) - x[i][c];
 #pragma GCC unroll 4
                     for (int k = 0; k < i; ++k) {
                         x[i][c] -= load(diagonal + i * n + k, part) * x[k][c];
                     }
                     x[i][c] *= load(diagonal + i * n + i, part);
-                    store(x[i][c], element, part);
+                    store(x[i][c], to + element, part);
                 }
             }
         }
@@ -130,21 +131,23 @@ void cholesky(DoubleLanes* a, int n) {
         factor(rows, n, J, a + J * n + J);
         // Below, L_IJ^T = L_JJ^-1 (A_IJ^T - sum of L_JK L_IK^T).
         for (int I = J + kTile; I < n; I += kTile) {
-            substitute(rows, rows + J, n, a + I * n, J, a + I * n + J, {.row = 1, .column = n});
+            DoubleLanes* const tile = a + I * n + J;
+            substitute(rows, rows + J, n, a + I * n, J, tile, tile, {.row = 1, .column = n});
         }
     }
 }
 
 namespace {
 
-// The rows of L^-1 B from block column `first_row(J)` on; B is zero above it there.
+// The rows of X = L^-1 B from block column `first_row(J)` on; B is zero above it there.
 template <class FirstRow>
-void forward_solve_from(const DoubleLanes* l, DoubleLanes* b, int n, int m, FirstRow first_row) {
+void forward_solve_from(const DoubleLanes* l, const DoubleLanes* b, DoubleLanes* x, int n, int m,
+                        FirstRow first_row) {
     for (int J = 0; J < m; J += kTile) {
         const int start = first_row(J);
         for (int I = start; I < n; I += kTile) {
-            substitute(l + I * n + start, l + I * n + I, n, b + start * m + J, I - start,
-                       b + I * m + J, {.row = m, .column = 1});
+            substitute(l + I * n + start, l + I * n + I, n, x + start * m + J, I - start,
+                       b + I * m + J, x + I * m + J, {.row = m, .column = 1});
         }
     }
 }
@@ -184,8 +187,8 @@ void add_gram_from(double a, DoubleLanes* c, double g, const DoubleLanes* w, int
 
 }  // namespace
 
-void forward_solve(const DoubleLanes* l, DoubleLanes* b, int n, int m) {
-    forward_solve_from(l, b, n, m, [](int) { return 0; });
+void forward_solve(const DoubleLanes* l, const DoubleLanes* b, DoubleLanes* x, int n, int m) {
+    forward_solve_from(l, b, x, n, m, [](int) { return 0; });
 }
 
 void add_gram(double a, DoubleLanes* c, double g, const DoubleLanes* w, int n, int m) {
@@ -225,7 +228,7 @@ void invert_factored(DoubleLanes* a, DoubleLanes* work, int n) {
     std::memset(work, 0, sizeof(DoubleLanes) * n * n);
     for (int i = 0; i < n; ++i) work[i * n + i] = splat(1.0);
     const auto identity = [](int J) { return J; };
-    forward_solve_from(a, work, n, n, identity);
+    forward_solve_from(a, work, work, n, n, identity);
     add_gram_from(0.0, a, 1.0, work, n, n, identity);
 }
 

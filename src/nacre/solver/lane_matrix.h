@@ -21,8 +21,8 @@ using LaneBuffer = std::vector<DoubleLanes>;
 /// triangle; what stands above the diagonal blocks is left as it was.
 void cholesky(DoubleLanes* a, int n);
 
-/// B := L^-1 B for an n x m matrix B, with L from cholesky().
-void forward_solve(const DoubleLanes* l, DoubleLanes* b, int n, int m);
+/// X := L^-1 B for an n x m matrix B, with L from cholesky(); X may be B.
+void forward_solve(const DoubleLanes* l, const DoubleLanes* b, DoubleLanes* x, int n, int m);
 
 /// C := a C + g W^T W for an n x m matrix W and a symmetric m x m matrix C, both triangles written.
 void add_gram(double a, DoubleLanes* c, double g, const DoubleLanes* w, int n, int m);

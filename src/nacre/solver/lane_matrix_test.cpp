@@ -44,7 +44,7 @@ TEST_P(LaneMatrix, ForwardSolveUndoesTheFactor) {
     const Matrices a = random_spd(n, 2), b = test::random_matrices(n, m, 3);
     LaneBuffer factor = test::to_lanes(a), x = test::to_lanes(b);
     cholesky(factor.data(), n);
-    forward_solve(factor.data(), x.data(), n, m);
+    forward_solve(factor.data(), x.data(), x.data(), n, m);
     const Matrices found = test::from_lanes(x, n, m);
     for (int lane = 0; lane < kLanes; ++lane) {
         const Eigen::MatrixXd l = test::cholesky(a[lane]);

@@ -174,7 +174,7 @@ void reflect_under_rough_interface(const RoughInterfaceOperators::Order& interfa
     for (int i = 0; i < n * exits; ++i) solved[i] = splat(interface.through[i]);
     for (int i = 0; i < exits * exits; ++i) u[i] = splat(-interface.direct[i]);
     cholesky(y, n);
-    forward_solve(y, solved, n, exits);
+    forward_solve(y, solved, solved, n, exits);
     add_gram(1.0, u, 2.0, solved, n, exits);
 }
 
