@@ -22,6 +22,7 @@ constexpr std::size_t kMaxWavelengths = 10'000;
 constexpr std::size_t kMaxCoefficients = std::size_t{1} << 26;
 constexpr std::size_t kMaxAzimuthalOrders = 65'536;
 constexpr std::size_t kMaxExitNodes = 4'096;
+constexpr double kMaxLobeWidth = 100;  // of a sine: wider ones are as flat as none
 
 // ---------------------------------------------------------------------------------- writing
 
@@ -56,12 +57,14 @@ void write_tensor(hid_t file, const TensorGroup& where, const solver::MultipleSc
     const std::string meaning = fmt::format(
         "{}: f(theta_i, theta_o, phi; wavelength) = sum_l (2 - delta_l0) cos(l (phi - pi)) sum_k "
         "basis[k][wavelength] coefficient[k][pair(l, i, j)]; pairs by order l, then rows i >= j "
-        "from node first[l]; phi = phi_o - phi_i",
-        where.meaning);
+        "from node first[l]; phi = phi_o - phi_i. If there is an attribute lobe_width, values "
+        "between nodes come from those over exp(-((sin theta_i - sin theta_o)/lobe_width)^2) + {}",
+        where.meaning, solver::kLobeFloor);
     const Hdf5Handle group = write_group(file, where.name, meaning.c_str());
     const auto size = [](const auto& v) { return static_cast<hsize_t>(v.size()); };
     const hsize_t rank = static_cast<hsize_t>(r.rank());
     const hsize_t pairs = rank > 0 ? size(r.coefficient) / rank : 0;
+    if (r.lobe_width > 0) write_attribute(group, "lobe_width", r.lobe_width);
     write_array(group, "exit_angle", {size(r.exit_angle)}, r.exit_angle.data(), "rad",
                 "polar angles outside the coat of the nodes i and j");
     write_array(group, "first", {size(r.first)}, r.first.data(), "1",
@@ -96,6 +99,11 @@ solver::MultipleScattering read_tensor(hid_t file, const TensorGroup& where,
     r.first = read_ints(group, "first", 1, kMaxAzimuthalOrders);
     r.basis = read_floats(group, "basis", 2, wavelengths * wavelengths);
     r.coefficient = read_floats(group, "coefficient", 2, kMaxCoefficients);
+    if (H5Aexists(group, "lobe_width") > 0) {  // files of older versions have none
+        r.lobe_width = read_double_attribute(group, "lobe_width");
+    }
+    require_content(r.lobe_width >= 0 && r.lobe_width <= kMaxLobeWidth,
+                    "the width of the lobe is out of range");
     require_finite(r.exit_angle, "an exit angle is not finite");
     require_finite(r.basis, "a spectral basis is not finite");
     require_finite(r.coefficient, "a coefficient is not finite");

@@ -16,6 +16,7 @@
 //                            those of a user's files by their samples
 //   /wavelengths_nm          [w]
 //   /settings, /report       attributes: SolverSettings and SolverReport
+//   /remainder               attribute lobe_width (MultipleScattering); absent in older files
 //   /remainder/exit_angle    [i], rad
 //   /remainder/first         [l]
 //   /remainder/basis         [k][w]

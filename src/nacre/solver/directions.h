@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 // The quadrature of directions inside the coat, and the tail of the azimuthal Fourier series.
@@ -30,6 +31,9 @@ struct Directions {
 /// @param inner_count  nodes beyond the critical angle at ior = 1.5, scaled to the panel's width
 ///                     and rounded up to a multiple of 4; 0 at ior = 1
 Directions make_directions(double ior, int exit_count, int inner_count);
+
+/// Number of pairs i >= j of so many nodes, and so where row `rows` of such pairs begins.
+constexpr std::size_t triangle(std::size_t rows) { return rows * (rows + 1) / 2; }
 
 /// Cosine inside the coat of the direction that leaves under theta_e.
 double inside_cosine(double ior, double theta_e);

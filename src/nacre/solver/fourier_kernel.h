@@ -20,9 +20,6 @@ namespace nacre::solver {
 /// What the message of a solver that was stopped calls its work.
 inline constexpr const char* kSolving = "solving the paint";
 
-/// Number of elements of a packed lower triangle, and so where row `rows` begins.
-constexpr std::size_t triangle(std::size_t rows) { return rows * (rows + 1) / 2; }
-
 /// Which nodes take part in which order. A direction near the normal has hardly any high orders
 /// (they vanish like sin^l theta); the nodes that do are the last ones. What nodes take part changes
 /// only after orders that are solved and not interpolated (order_interpolation.h).

@@ -10,11 +10,14 @@ namespace nacre::solver {
 
 std::size_t MultipleScattering::pair_count() const {
     std::size_t count = 0;
-    for (int f : first) {
-        const std::size_t rows = exit_angle.size() - f;
-        count += rows * (rows + 1) / 2;
-    }
+    for (int f : first) count += triangle(exit_angle.size() - f);
     return count;
+}
+
+double MultipleScattering::lobe(double theta_i, double theta_o) const {
+    if (!(lobe_width > 0)) return 1;
+    const double distance = (std::sin(theta_i) - std::sin(theta_o)) / lobe_width;
+    return std::exp(-distance * distance) + kLobeFloor;
 }
 
 namespace {
@@ -78,23 +81,29 @@ float round_to(double value, double unit) {
     return static_cast<float>(unit > 0 ? std::round(value / unit) * unit : value);
 }
 
-// Adds A x to y, A being symmetric. Of its rows those parts are given that end at the diagonal.
-void add_symmetric_product(int n, const float* row, const double* x, double* y) {
+// Adds A x to y, A being symmetric: `row` times `scale`, element by element. Of the rows of both those
+// parts are given that end at the diagonal; those of the scale begin with `skipped` elements, and as
+// many rows before the first, that are not used.
+void add_symmetric_product(int n, const float* row, const double* scale, int skipped,
+                           const double* x, double* y) {
     constexpr int kParts = 8;  // of a sum, which vectors hold
     for (int i = 0; i < n; ++i) {
         double part[kParts] = {};
+        const double* const times = scale + triangle(skipped + i) + skipped;
         int j = 0;
         for (; j + kParts <= i; j += kParts) {
             for (int p = 0; p < kParts; ++p) {
-                y[j + p] += row[j + p] * x[i];
-                part[p] += row[j + p] * x[j + p];
+                const double a = row[j + p] * times[j + p];
+                y[j + p] += a * x[i];
+                part[p] += a * x[j + p];
             }
         }
         for (; j < i; ++j) {
-            y[j] += row[j] * x[i];
-            part[0] += row[j] * x[j];
+            const double a = row[j] * times[j];
+            y[j] += a * x[i];
+            part[0] += a * x[j];
         }
-        y[i] += row[i] * x[i];
+        y[i] += row[i] * times[i] * x[i];
         for (const double sum : part) y[i] += sum;
         row += i + 1;
     }
@@ -123,8 +132,7 @@ MultipleScattering compress(std::vector<double> exit_angle, std::vector<int> fir
     // at most 1, the magnitudes to sqrt(rank): together the terms err by tolerance / 2 at most.
     // Order 0 carries the energy and costs little: it is kept to more digits.
     const double step = tolerance / std::sqrt(std::max(rank, 1)), finer = 1.0 / 64;
-    const std::size_t order_0 =
-        (out.exit_angle.size() - out.first[0]) * (out.exit_angle.size() - out.first[0] + 1) / 2;
+    const std::size_t order_0 = triangle(out.exit_angle.size() - out.first[0]);
     std::vector<double> unit;
     for (std::size_t p = 0; p < scale.size(); ++p) {
         unit.push_back(power_of_two_below((p < order_0 ? finer * step : step) * scale[p]));
@@ -142,8 +150,14 @@ MultipleScattering compress(std::vector<double> exit_angle, std::vector<int> fir
 }
 
 MultipleScatteringSlice::MultipleScatteringSlice(const MultipleScattering& r, double theta_i)
-    : multiple_scattering_(r), interpolation_(r.exit_angle) {
+    : multiple_scattering_(r), interpolation_(r.exit_angle), theta_i_(theta_i) {
     const int n = static_cast<int>(r.exit_angle.size());
+    std::vector<double> over_lobe(triangle(n));
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j <= i; ++j) {
+            over_lobe[triangle(i) + j] = 1 / r.lobe(r.exit_angle[i], r.exit_angle[j]);
+        }
+    }
     std::vector<double> weight(n);
     interpolation_.weights_at(theta_i, weight.data());
     const std::size_t terms = static_cast<std::size_t>(r.rank()) * r.orders();
@@ -155,11 +169,12 @@ MultipleScatteringSlice::MultipleScatteringSlice(const MultipleScattering& r, do
             const int first = r.first[l], rows = n - first;
             if (r.takes_part(l, theta_i)) {
                 std::fill(out.begin(), out.end(), 0.0);
-                add_symmetric_product(rows, value, weight.data() + first, out.data() + first);
+                add_symmetric_product(rows, value, over_lobe.data(), first, weight.data() + first,
+                                      out.data() + first);
                 double* to = by_node_.data() + static_cast<std::size_t>(k) * r.orders() + l;
                 for (int i = first; i < n; ++i) to[i * terms] = out[i];
             }
-            value += rows * (rows + 1) / 2;
+            value += triangle(rows);
         }
     }
 }
@@ -172,9 +187,10 @@ void MultipleScatteringSlice::by_order(double theta_o, std::span<double> out) co
     const std::size_t terms = static_cast<std::size_t>(rank) * orders;
     std::fill_n(out.begin(), terms, 0.0);
     double* const sum = out.data();
+    const double lobe = multiple_scattering_.lobe(theta_i_, theta_o);
     for (int j = 0; j < n; ++j) {
         const double* from = by_node_.data() + j * terms;
-        const double w = weight[j];
+        const double w = lobe * weight[j];
         for (std::size_t t = 0; t < terms; ++t) sum[t] += from[t] * w;
     }
     for (int l = 0; l < orders; ++l) {

@@ -12,16 +12,25 @@ namespace nacre::solver {
 /// f(theta_i, theta_o, phi; wavelength) =
 ///     sum_l (2 - delta_l0) cos(l (phi - pi)) sum_k basis[k][wavelength] coefficient[k][l](i, j)
 ///
-/// on the exit nodes i >= j, with polynomial interpolation between them: symmetric, hence
-/// reciprocal, by construction. phi - pi because phi is measured between directions that point
-/// away from the surface. The spectral basis comes from a singular value decomposition: a paint's
-/// wavelengths are strongly correlated.
+/// on the exit nodes i >= j: symmetric, hence reciprocal, by construction. phi - pi because phi is
+/// measured between directions that point away from the surface. The spectral basis comes from a
+/// singular value decomposition: a paint's wavelengths are strongly correlated.
+///
+/// Between nodes polynomials interpolate what is left of the values when they are divided by a lobe
+/// of about their width,
+///
+///     exp(-((sin theta_i - sin theta_o)/lobe_width)^2) + kLobeFloor,
+///
+/// by which the result is multiplied again. A polynomial errs by some 1e-5 of the largest value
+/// everywhere, which near the normal is many times what flakes that lie flat reflect there; so
+/// divided, values that are small err by less.
 struct MultipleScattering {
     std::vector<double> exit_angle;  ///< nodes theta_e, rad
     int wavelength_count = 0;
     std::vector<int> first;          ///< by order: first exit node with a coefficient
     std::vector<float> basis;        ///< [k][wavelength]
     std::vector<float> coefficient;  ///< [k][pair], pairs by order, then rows i >= j from first[l]
+    double lobe_width = 0;           ///< of a sine; 0: polynomials interpolate the values themselves
 
     int orders() const { return static_cast<int>(first.size()); }
     int rank() const {
@@ -38,8 +47,14 @@ struct MultipleScattering {
         return first[order] == 0 || theta_e > exit_angle[first[order] - 1];
     }
 
+    /// The lobe that values are divided by before they are interpolated; 1 if there is none.
+    double lobe(double theta_i, double theta_o) const;
+
     friend bool operator==(const MultipleScattering&, const MultipleScattering&) = default;
 };
+
+/// What is left of MultipleScattering's lobe far away from its middle.
+inline constexpr double kLobeFloor = 0.03;
 
 /// A BRDF in 1/sr that counts as black: the least value to which a tolerance is relative, so that
 /// rounding (some 1e-13 at grazing exit nodes) is never mistaken for light. Errors below it times
@@ -65,7 +80,8 @@ class MultipleScatteringSlice {
  private:
     const MultipleScattering& multiple_scattering_;
     ExitInterpolation interpolation_;
-    std::vector<double> by_node_;  // [j][k][l]: contracted with the incident direction's weights
+    double theta_i_;
+    std::vector<double> by_node_;  // [j][k][l]: over the lobe, contracted with the weights of theta_i
 };
 
 }  // namespace nacre::solver

@@ -328,6 +328,10 @@ std::size_t memory_of(const PaintMedium& medium, const WavelengthGroups& groups,
            tensors * pairs * wavelengths * sizeof(double);
 }
 
+// Of a lobe by which values are divided between nodes (MultipleScattering::lobe_width), over that of
+// the sine outside the coat of light that one flake reflects: some orders of scattering widen it.
+constexpr double kLobeWidth = 6;
+
 // Of the medium, with the settings.
 void solve_medium(SolvedPaint& paint, const Progress& progress,
                   InternalReflection internal = InternalReflection::scattered) {
@@ -359,6 +363,9 @@ void solve_medium(SolvedPaint& paint, const Progress& progress,
         }
     } while (refine(resolution, settings, unresolved, tail));
     merge_groups(groups, solutions, settings.tolerance, paint);
+    if (paint.medium.roughness == 0) {
+        paint.multiple_scattering.lobe_width = kLobeWidth * paint.medium.ior[0] * resolution.lobe_alpha;
+    }
 }
 
 }  // namespace

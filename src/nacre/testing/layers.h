@@ -111,18 +111,16 @@ inline double single_albedo(const SolvedPaint& paint, double theta_i) {
 /// Order 0 of the multiple scattering at the first wavelength, between theta_i and every exit node.
 inline std::vector<double> multiple_by_node(const SolvedPaint& paint, double theta_i) {
     const MultipleScattering& r = paint.multiple_scattering;
-    const std::size_t n = r.exit_angle.size();
-    std::vector<double> weight(n), out(n, 0.0);
-    ExitInterpolation(r.exit_angle).weights_at(theta_i, weight.data());
-    for (int k = 0; k < r.rank(); ++k) {
-        const double basis = r.basis[static_cast<std::size_t>(k) * r.wavelength_count];
-        const float* value = r.coefficient.data() + k * r.pair_count();
-        for (std::size_t i = 0; i < n; ++i) {
-            for (std::size_t j = 0; j <= i; ++j, ++value) {
-                out[j] += basis * *value * weight[i];
-                if (j != i) out[i] += basis * *value * weight[j];
-            }
+    const MultipleScatteringSlice slice(r, theta_i);
+    std::vector<double> by_order(static_cast<std::size_t>(r.rank()) * r.orders()), out;
+    for (const double theta_o : r.exit_angle) {
+        slice.by_order(theta_o, by_order);
+        double sum = 0;
+        for (int k = 0; k < r.rank(); ++k) {
+            sum += r.basis[static_cast<std::size_t>(k) * r.wavelength_count] *
+                   by_order[static_cast<std::size_t>(k) * r.orders()];
         }
+        out.push_back(sum);
     }
     return out;
 }

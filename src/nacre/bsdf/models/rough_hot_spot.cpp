@@ -26,7 +26,7 @@ class NodeValues {
         std::size_t pairs = 0;
         for (const int first : tensor.first) {
             offset_.push_back(pairs);
-            pairs += triangle(static_cast<int>(tensor.exit_angle.size()) - first);
+            pairs += solver::triangle(tensor.exit_angle.size() - first);
         }
         values_.assign(pairs * wavelengths_, 0.0);
         if (!filled) return;
@@ -45,7 +45,7 @@ class NodeValues {
     double* at(int order, int i, int j) {
         const int first = tensor_.first[order];
         if (std::min(i, j) < first) return nullptr;
-        const auto pair = triangle(std::max(i, j) - first) + std::min(i, j) - first;
+        const auto pair = solver::triangle(std::max(i, j) - first) + std::min(i, j) - first;
         return &values_[(offset_[order] + pair) * wavelengths_];
     }
     std::vector<double*> rows(int i, int j) {
@@ -59,9 +59,6 @@ class NodeValues {
     }
 
  private:
-    static std::size_t triangle(int rows) {
-        return static_cast<std::size_t>(rows) * (rows + 1) / 2;
-    }
 
     const solver::MultipleScattering& tensor_;
     int wavelengths_;
