@@ -61,6 +61,11 @@ inline constexpr double kLobeFloor = 0.03;
 /// the tolerance, 1e-12, are made even where a paint is darker.
 inline constexpr double kBlackBrdf = 1e-8;
 
+/// What compression may add to an order's error, of SolverSettings::tolerance. At its peak the BRDF is
+/// a sum of many orders, larger than each of them by far, and errs by less; but at dark angles beside
+/// a lobe the orders cancel, and the errors of all of them show.
+inline constexpr double kCompressionShare = 0.1;
+
 /// Values [pair][wavelength] in, compressed so that no value errs by more than `tolerance` times
 /// the smaller of the largest values that its two directions have, or kBlackBrdf: by truncating the
 /// spectral basis and rounding the coefficients.

@@ -307,25 +307,26 @@ class GroupSolver {
     std::vector<OrderValues> multiple_, single_;
 };
 
-// The peak of the memory that a solution takes, in bytes: the kernels of the group that is being
-// solved, and the values of all groups three times (by group, together, and the residual of their
-// compression).
+// The peak of the memory that a solution takes, in bytes: the kernels and values of the group that is
+// being solved, and the values of all groups three times (by group, together, and the residual of
+// their compression).
 std::size_t memory_of(const PaintMedium& medium, const WavelengthGroups& groups,
                       const Resolution& resolution) {
     const auto wavelengths = static_cast<std::size_t>(medium.wavelength_count());
-    std::size_t kernels = 0, pairs = 0;
+    const std::size_t tensors = medium.roughness > 0 ? 2 : 1;
+    std::size_t solving = 0, pairs = 0;
     for (const WavelengthGroup& group : groups) {
         const Directions d = make_directions(medium.ior[group.members[0]], resolution.exit_nodes,
                                              resolution.inner_nodes);
         const ActiveNodes active(d, resolution.lobe_alpha, resolution.orders);
-        kernels =
-            std::max(kernels, FourierKernel::bytes(d, active) * medium.layers.size() *
-                                  paint::block_count(static_cast<int>(group.distinct.size())));
-        pairs = std::max(pairs, exit_pairs(d, active));
+        const std::size_t of_group = exit_pairs(d, active);
+        solving = std::max(solving, paint::block_count(static_cast<int>(group.distinct.size())) *
+                                        (FourierKernel::bytes(d, active) * medium.layers.size() +
+                                         tensors * of_group * sizeof(DoubleLanes)));
+        pairs = std::max(pairs, of_group);
     }
-    const std::size_t tensors = medium.roughness > 0 ? 2 : 1;
-    return std::max(kernels, 2 * tensors * pairs * wavelengths * sizeof(double)) +
-           tensors * pairs * wavelengths * sizeof(double);
+    const std::size_t values = tensors * pairs * wavelengths * sizeof(double);
+    return std::max(solving, 2 * values) + values;
 }
 
 // Of a lobe by which values are divided between nodes (MultipleScattering::lobe_width), over that of
@@ -363,8 +364,9 @@ void solve_medium(SolvedPaint& paint, const Progress& progress,
         }
     } while (refine(resolution, settings, unresolved, tail));
     merge_groups(groups, solutions, settings.tolerance, paint);
-    if (paint.medium.roughness == 0) {
-        paint.multiple_scattering.lobe_width = kLobeWidth * paint.medium.ior[0] * resolution.lobe_alpha;
+    const double ior = paint.medium.ior[0];
+    if (paint.medium.roughness == 0 || ior == 1) {
+        paint.multiple_scattering.lobe_width = kLobeWidth * ior * resolution.lobe_alpha;
     }
 }
 

@@ -148,10 +148,8 @@ void merge_groups(const WavelengthGroups& groups, const std::vector<GroupSolutio
     paint.report.exit_nodes = exits;
     paint.report.orders = static_cast<int>(first.size());
     const auto merge = [&](std::vector<double> GroupSolution::*values) {
-        // At its peak the BRDF is a sum of orders, many times larger than each of them: the error
-        // of the orders is a small part of the tolerance there.
         return compress(solutions[0].exit_angle, first, paint.medium.wavelength_count(),
-                        collect(groups, solutions, first, values), tolerance);
+                        collect(groups, solutions, first, values), kCompressionShare * tolerance);
     };
     parallel_for(0, paint.medium.roughness > 0 ? 2 : 1, [&](int k) {
         if (k == 0) paint.multiple_scattering = merge(&GroupSolution::values);

@@ -189,8 +189,8 @@ class RoughHotSpot {
         solver::SolvedPaint out = paint_;
         const NodeValues* const values[] = {&single_, &multiple_};
         solver::MultipleScattering* const tensors[] = {&out.rough_single, &out.multiple_scattering};
-        parallel_for(
-            0, 2, [&](int k) { *tensors[k] = values[k]->compressed(paint_.settings.tolerance); });
+        const double tolerance = solver::kCompressionShare * paint_.settings.tolerance;
+        parallel_for(0, 2, [&](int k) { *tensors[k] = values[k]->compressed(tolerance); });
         return out;
     }
 
