@@ -19,7 +19,7 @@ constexpr double kBeyondFirstOrder = 0.1;
 /// grey.
 constexpr double kSigmasToGrey = 3;
 
-/// Standard deviations below this are those of rounding, as a* of a grey paint has.
+/// Standard deviations below this are those of rounding, as a* of a grey paint has; so is chroma.
 constexpr double kRounding = 1e-9;
 
 double squared(double x) { return x * x; }
@@ -106,7 +106,8 @@ double hue_between_deg(const Vec3d& from, const Vec3d& to) {
 void add_chroma_and_hue(Spread& spread, const Vec3d& lab) {
     const double chroma = measure::chroma(lab);
     const Ellipse one_sigma = ab_ellipse(spread, 1 - std::exp(-0.5));
-    if (!(std::hypot(one_sigma.major[0], one_sigma.major[1]) * kSigmasToGrey < chroma)) return;
+    const double to_grey = std::hypot(one_sigma.major[0], one_sigma.major[1]) * kSigmasToGrey;
+    if (!(std::max(to_grey, kRounding) < chroma)) return;
     const auto along = [&](double da, double db) {
         const LabCovariance& s = spread.covariance;
         return std::sqrt(

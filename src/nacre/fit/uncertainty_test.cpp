@@ -245,6 +245,10 @@ TEST(Uncertainty, OfTheGroundIsThatOfItsClosedForm) {
     const Uncertainty u = uncertainty(clear, {{kGround, sigma}}, solved());
     EXPECT_NEAR(u.readings[2].first_order.reflectance_factor[10],
                 sigma * a / std::pow(1 - b * 0.4, 2), 1e-5 * sigma);
+    for (const ReadingUncertainty& r : u.readings) {
+        EXPECT_FALSE(r.first_order.hue_deg)
+            << "a grey has none, though its a* and b* are not quite 0";
+    }
     EXPECT_FALSE(u.first_order_fails());
 }
 

@@ -199,12 +199,25 @@ TEST(SolvedPaintFile, ContentsThatCannotBeAreRefusedEvenUnderAValidChecksum) {
     std::swap(paint.medium.wavelengths_nm[0], paint.medium.wavelengths_nm[1]);
     EXPECT_THAT(refused_paint(solved_paint_bytes(paint)), HasSubstr("wavelengths must increase"));
 
+    paint = silver();
+    paint.multiple_scattering.lobe_width = 1e3;
+    EXPECT_THAT(refused_paint(solved_paint_bytes(paint)),
+                HasSubstr("the width of the lobe is out of range"));
+
     std::string bytes = solved_paint_bytes(silver());
     const std::string thickness = "thickness_um = 10";
     ASSERT_NE(bytes.find(thickness), std::string::npos);
     bytes.replace(bytes.find(thickness), thickness.size(), "thickness_um = -1");
     EXPECT_THAT(refused_paint(resealed(bytes)),
                 HasSubstr("paint.h5/recipe:5:16: layer[0].thickness_um = -1"));
+}
+
+TEST(SolvedPaintFile, FilesFromBeforeThereWereLobesAreReadAsTheyWere) {
+    solver::SolvedPaint paint = silver();
+    EXPECT_GT(paint.multiple_scattering.lobe_width, 0);
+    paint.multiple_scattering.lobe_width = 0;  // no attribute is written
+    EXPECT_EQ(parse_solved_paint(solved_paint_bytes(paint), "paint.h5").multiple_scattering,
+              paint.multiple_scattering);
 }
 
 TEST(SolvedPaintFile, TensorsThatDoNotFitTheInterfaceAreRefused) {

@@ -32,8 +32,10 @@ void for_each_pair(const MultipleScattering& r, Visit&& visit) {
     }
 }
 
-// For each pair, the smaller of the largest values that its two directions have, or kBlackBrdf.
-std::vector<double> pair_scales(const MultipleScattering& r, const Eigen::VectorXd& largest) {
+// For each pair, `share` of the smaller of the largest values that its two directions have, or
+// kBlackBrdf.
+std::vector<double> pair_scales(const MultipleScattering& r, const Eigen::VectorXd& largest,
+                                double share) {
     std::vector<double> by_node(r.exit_angle.size(), 0.0), scale;
     Eigen::Index pair = 0;
     for_each_pair(r, [&](int i, int j) {
@@ -43,7 +45,7 @@ std::vector<double> pair_scales(const MultipleScattering& r, const Eigen::Vector
     });
     scale.reserve(pair);
     for_each_pair(r, [&](int i, int j) {
-        scale.push_back(std::max(std::min(by_node[i], by_node[j]), kBlackBrdf));
+        scale.push_back(std::max(share * std::min(by_node[i], by_node[j]), kBlackBrdf));
     });
     return scale;
 }
@@ -121,11 +123,18 @@ MultipleScattering compress(std::vector<double> exit_angle, std::vector<int> fir
     const auto pairs = static_cast<Eigen::Index>(values.size()) / std::max(wavelength_count, 1);
     if (pairs == 0) return out;
     const Eigen::Map<const RowMajorMatrix> all(values.data(), pairs, wavelength_count);
-    const std::vector<double> scale = pair_scales(out, all.cwiseAbs().rowwise().maxCoeff());
-
+    const Eigen::VectorXd largest = all.cwiseAbs().rowwise().maxCoeff();
     const SymmetricEigen eigen = symmetric_eigen(gram_matrix(all));
     // Half of the tolerance is for the rank, half for rounding.
-    const int rank = rank_needed(all, eigen, scale, 0.5 * tolerance);
+    const auto needed = [&](const std::vector<double>& scale) {
+        return rank_needed(all, eigen, scale, 0.5 * tolerance);
+    };
+    std::vector<double> scale = pair_scales(out, largest, kFineShare);
+    int rank = needed(scale);
+    if (rank * pairs > kMaxFineCoefficients) {
+        scale = pair_scales(out, largest, 1);
+        rank = needed(scale);
+    }
     const RowMajorMatrix basis = eigen.vectors.rightCols(rank).rowwise().reverse().transpose();
     const RowMajorMatrix coefficient = (all * basis.transpose()).transpose();
     // Each coefficient errs by step / 2 at most. At one wavelength the squares of the basis sum to

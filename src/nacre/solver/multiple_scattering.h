@@ -30,7 +30,7 @@ struct MultipleScattering {
     std::vector<int> first;          ///< by order: first exit node with a coefficient
     std::vector<float> basis;        ///< [k][wavelength]
     std::vector<float> coefficient;  ///< [k][pair], pairs by order, then rows i >= j from first[l]
-    double lobe_width = 0;           ///< of a sine; 0: polynomials interpolate the values themselves
+    double lobe_width = 0;  ///< of a sine; 0: polynomials interpolate the values themselves
 
     int orders() const { return static_cast<int>(first.size()); }
     int rank() const {
@@ -61,14 +61,18 @@ inline constexpr double kLobeFloor = 0.03;
 /// the tolerance, 1e-12, are made even where a paint is darker.
 inline constexpr double kBlackBrdf = 1e-8;
 
-/// What compression may add to an order's error, of SolverSettings::tolerance. At its peak the BRDF is
-/// a sum of many orders, larger than each of them by far, and errs by less; but at dark angles beside
-/// a lobe the orders cancel, and the errors of all of them show.
-inline constexpr double kCompressionShare = 0.1;
+/// How much finer than the tolerance orders are kept. At its peak the BRDF is a sum of many orders,
+/// larger than each of them by far, and errs by less; but at dark angles beside a lobe orders cancel,
+/// and the errors of all of them show.
+inline constexpr double kFineShare = 0.1;
+/// The most coefficients that are kept so finely, 0.2 MB in a file; flakes of alpha < 0.03 with fringes
+/// have more.
+inline constexpr int kMaxFineCoefficients = 1 << 18;
 
 /// Values [pair][wavelength] in, compressed so that no value errs by more than `tolerance` times
-/// the smaller of the largest values that its two directions have, or kBlackBrdf: by truncating the
-/// spectral basis and rounding the coefficients.
+/// kFineShare of the smaller of the largest values that its two directions have, or kBlackBrdf: by
+/// truncating the spectral basis and rounding the coefficients. The share is 1 where that takes more than
+/// kMaxFineCoefficients.
 MultipleScattering compress(std::vector<double> exit_angle, std::vector<int> first,
                             int wavelength_count, std::span<const double> values, double tolerance);
 
@@ -86,7 +90,8 @@ class MultipleScatteringSlice {
     const MultipleScattering& multiple_scattering_;
     ExitInterpolation interpolation_;
     double theta_i_;
-    std::vector<double> by_node_;  // [j][k][l]: over the lobe, contracted with the weights of theta_i
+    std::vector<double>
+        by_node_;  // [j][k][l]: over the lobe, contracted with the weights of theta_i
 };
 
 }  // namespace nacre::solver

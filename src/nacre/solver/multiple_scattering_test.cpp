@@ -149,10 +149,49 @@ TEST(MultipleScattering, OrdersVanishTowardsTheNormalFromTheirFirstNode) {
     EXPECT_NEAR(c[0] * r.basis[0], 2 * 399, 1e-3);
 }
 
+TEST(MultipleScattering, DividedByALobeSmallValuesErrLess) {
+    // A Gaussian in the half vector's slope of a coat's inside, as flakes reflect, over a floor of
+    // 1e-4: one order, 24 nodes.
+    const double width = 0.2, floor = 1e-4;
+    const auto f = [&](double a, double b) {
+        const double slope =
+            (std::tan(std::asin(std::sin(a) / 1.5)) - std::tan(std::asin(std::sin(b) / 1.5))) /
+            width;
+        return std::exp(-slope * slope) + floor;
+    };
+    const std::vector<double> angle = make_directions(1.5, 20, 8).exit_angle;
+    std::vector<double> values;
+    for (int i = 0; i < 20; ++i) {
+        for (int j = 0; j <= i; ++j) values.push_back(f(angle[i], angle[j]));
+    }
+    MultipleScattering r = compress(angle, {0}, 1, values, 1e-9);
+    const auto worst = [&](double lobe_width) {
+        r.lobe_width = lobe_width;
+        double small = 0, large = 0;  // relative errors of small values, absolute ones of all
+        std::vector<double> c(1);
+        for (double a = 0; a < 1.5; a += 0.031) {
+            const MultipleScatteringSlice slice(r, a);
+            for (double b = 0; b < 1.5; b += 0.017) {
+                slice.coefficients(b, 1.0, c);
+                const double exact = f(a, b), error = std::abs(c[0] * r.basis[0] - exact);
+                large = std::max(large, error);
+                if (exact < 1e-3) small = std::max(small, error / exact);
+            }
+        }
+        return std::pair(small, large);
+    };
+    const auto [small, large] = worst(0);
+    const auto [small_by_lobe, large_by_lobe] = worst(1.5 * width * std::sqrt(3.0));
+    EXPECT_GT(small, 0.05);  // a polynomial alone
+    EXPECT_LT(small_by_lobe, 0.1 * small);
+    EXPECT_LT(large_by_lobe, large);
+}
+
 TEST(MultipleScattering, IsReciprocalBetweenNodesToo) {
     const Example example(0.01);
-    const MultipleScattering r =
+    MultipleScattering r =
         compress(example.angle, example.first, example.wavelengths, example.values, 1e-3);
+    r.lobe_width = 0.5;
     std::vector<double> there(r.rank()), back(r.rank());
     MultipleScatteringSlice(r, 0.37).coefficients(1.21, 2.0, there);
     MultipleScatteringSlice(r, 1.21).coefficients(0.37, -2.0, back);

@@ -17,21 +17,20 @@ int step_from(int order) {
     return step;
 }
 
-// Neighbours that an order is interpolated from, half of them on either side, but for the last ones.
-constexpr int kPoints = 12;
-
-// Lagrange's weights at 0 of points at odd numbers, of which `above` are positive.
-std::array<double, kPoints> weights(int above) {
-    std::array<double, kPoints> w;
-    const auto at = [&](int p) { return 2 * (p - kPoints + above) + 1; };
+// Lagrange's weights in the middle of points at one distance, of the points on either side from the
+// nearest on.
+constexpr int kPoints = 6;
+constexpr std::array<double, kPoints> kWeights = [] {
+    std::array<double, kPoints> w{};
     for (int p = 0; p < kPoints; ++p) {
-        w[p] = 1;
+        w[p] = 0.5;
         for (int q = 0; q < kPoints; ++q) {
-            if (q != p) w[p] *= static_cast<double>(at(q)) / (at(q) - at(p));
+            const double a = 2 * p + 1, b = 2 * q + 1;
+            if (q != p) w[p] *= b * b / (b * b - a * a);
         }
     }
     return w;
-}
+}();
 
 }  // namespace
 
@@ -61,22 +60,21 @@ std::vector<int> probe_orders(int orders) {
 
 OrderValues interpolate_order(int l, std::span<const OrderValues> known, std::span<const int> first,
                               int nodes, int blocks) {
-    const int step = l & -l, last = static_cast<int>(known.size()) - 1;
-    int above = 1;
-    while (2 * above < kPoints && l + (2 * above + 1) * step <= last) ++above;
-    const std::array<double, kPoints> weight = weights(above);
+    const int distance = l & -l;
     OrderValues out(triangle(nodes - first[l]) * blocks, DoubleLanes{});
     for (int p = 0; p < kPoints; ++p) {
-        const int m = l + (2 * (p - kPoints + above) + 1) * step;
-        // Nodes that have no such order are zero there.
-        const int from = std::max(first[l], first[m]);
-        for (int i = from; i < nodes; ++i) {
-            const int count = (i + 1 - from) * blocks;
-            const DoubleLanes* const add =
-                known[m].data() + (triangle(i - first[m]) + from - first[m]) * blocks;
-            DoubleLanes* const to =
-                out.data() + (triangle(i - first[l]) + from - first[l]) * blocks;
-            for (int k = 0; k < count; ++k) to[k] += weight[p] * add[k];
+        for (const int m : {l - (2 * p + 1) * distance, l + (2 * p + 1) * distance}) {
+            if (m >= static_cast<int>(known.size())) continue;  // zero
+            // Nodes that have no such order are zero there.
+            const int from = std::max(first[l], first[m]);
+            for (int i = from; i < nodes; ++i) {
+                const int count = (i + 1 - from) * blocks;
+                const DoubleLanes* const add =
+                    known[m].data() + (triangle(i - first[m]) + from - first[m]) * blocks;
+                DoubleLanes* const to =
+                    out.data() + (triangle(i - first[l]) + from - first[l]) * blocks;
+                for (int k = 0; k < count; ++k) to[k] += kWeights[p] * add[k];
+            }
         }
     }
     return out;

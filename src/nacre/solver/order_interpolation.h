@@ -11,7 +11,7 @@
 // real l too: a lobe of width s in azimuth falls as exp(-l^2 s^2/2), and nodes at which it is wider
 // have no such orders (ActiveNodes). The orders that matter at l therefore change over a distance that
 // grows with l, and it is enough to solve them at such distances: all of them up to kDenseOrders, every
-// second one up to twice that, every fourth one up to four times, and so on; 90 of 1024. The others
+// second one up to twice that, every fourth one up to four times, and so on; 94 of 1024. The others
 // follow by Lagrange interpolation in l.
 
 namespace nacre::solver {
@@ -34,7 +34,8 @@ std::vector<int> probe_orders(int orders);
 /// Values of an order, [pair][block of wavelengths], pairs of nodes i >= j from its first one.
 using OrderValues = LaneBuffer;
 
-/// Order l from those of `known` that are a multiple of 2 (l & -l), of which it is the middle of two.
+/// Order l from those of `known` that are a multiple of 2 (l & -l), of which it is the middle of two:
+/// six on either side. Where the series has ended, or a node has no such order, they are zero.
 /// @param known   by order, from 0 to the last one
 /// @param first   by order: the first node that it has; grows, and not between l and the next order
 ///                that is solved

@@ -72,6 +72,29 @@ INSTANTIATE_TEST_SUITE_P(Grid, SolverAccuracy,
                                                 10 * c.ior);
                          });
 
+TEST(SolverAccuracy, DarkAnglesBesideNarrowLobesAreResolved) {
+    // At the normal for light from 45 deg, and 75 and 110 deg from the mirror direction: little more
+    // than the ground shines through, beside a lobe some 1e5 times as bright.
+    paint::Recipe recipe = test::flake_paint(0.03, 0.85, 0, 3, 1.5);
+    recipe.substrate_reflectance = 0.04;
+    SolverSettings fine;
+    fine.exit_nodes = 64;
+    fine.inner_nodes = 40;
+    fine.tolerance = 1e-7;
+    SolvedPaint paint = solve(recipe, kOneWavelength);
+    const SolvedPaint converged = solve(recipe, kOneWavelength, fine);
+    ASSERT_LT(paint.report.exit_nodes, 40);
+    for (const double theta_o : {0.0, -30.0, -65.0}) {
+        const double o = std::abs(theta_o) * kDegree, phi = theta_o < 0 ? 0.0 : std::numbers::pi;
+        const double exact = converged.brdf(45 * kDegree, o, phi)[0];
+        EXPECT_NEAR(paint.brdf(45 * kDegree, o, phi)[0], exact, 1.5e-2 * exact) << theta_o;
+    }
+    // Polynomials through the values themselves ring at the normal.
+    const double exact = converged.brdf(45 * kDegree, 0, std::numbers::pi)[0];
+    paint.multiple_scattering.lobe_width = 0;
+    EXPECT_GT(std::abs(paint.brdf(45 * kDegree, 0, std::numbers::pi)[0] - exact), 0.3 * exact);
+}
+
 TEST(SolverAccuracy, NothingDependsOnAzimuthAtTheNormal) {
     // Bare flakes need hundreds of orders between grazing directions. None may show at the normal.
     const SolvedPaint paint = solve(test::flake_paint(0.1, 0.3, 0.7, 1, 1.0), kOneWavelength);

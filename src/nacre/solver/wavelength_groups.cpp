@@ -149,7 +149,7 @@ void merge_groups(const WavelengthGroups& groups, const std::vector<GroupSolutio
     paint.report.orders = static_cast<int>(first.size());
     const auto merge = [&](std::vector<double> GroupSolution::*values) {
         return compress(solutions[0].exit_angle, first, paint.medium.wavelength_count(),
-                        collect(groups, solutions, first, values), kCompressionShare * tolerance);
+                        collect(groups, solutions, first, values), tolerance);
     };
     parallel_for(0, paint.medium.roughness > 0 ? 2 : 1, [&](int k) {
         if (k == 0) paint.multiple_scattering = merge(&GroupSolution::values);

@@ -59,7 +59,6 @@ class NodeValues {
     }
 
  private:
-
     const solver::MultipleScattering& tensor_;
     int wavelengths_;
     std::vector<std::size_t> offset_;
@@ -189,8 +188,8 @@ class RoughHotSpot {
         solver::SolvedPaint out = paint_;
         const NodeValues* const values[] = {&single_, &multiple_};
         solver::MultipleScattering* const tensors[] = {&out.rough_single, &out.multiple_scattering};
-        const double tolerance = solver::kCompressionShare * paint_.settings.tolerance;
-        parallel_for(0, 2, [&](int k) { *tensors[k] = values[k]->compressed(tolerance); });
+        parallel_for(
+            0, 2, [&](int k) { *tensors[k] = values[k]->compressed(paint_.settings.tolerance); });
         return out;
     }
 
