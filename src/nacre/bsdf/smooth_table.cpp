@@ -24,17 +24,17 @@ SmoothGrid choose_grid(double alpha) {
 SmoothTable::SmoothTable(std::span<const solver::MultipleScattering* const> tensors, double alpha,
                          double ior)
     : grid_(choose_grid(alpha)) {
-    for (const solver::MultipleScattering* tensor : tensors) rank_ += tensor->rank();
+    for (const solver::MultipleScattering* tensor : tensors) rank_ += tensor->table_rank;
     coefficient_.resize(grid_.cells() * rank_);
     int first_rank = 0;
     for (const solver::MultipleScattering* tensor : tensors) {
         tabulate(*tensor, ior, first_rank);
-        first_rank += tensor->rank();
+        first_rank += tensor->table_rank;
     }
 }
 
 void SmoothTable::tabulate(const solver::MultipleScattering& r, double ior, int first_rank) {
-    const int orders = r.orders(), rank = r.rank();
+    const int orders = r.orders(), rank = r.table_rank;
     std::vector<float> cosine(static_cast<std::size_t>(grid_.q) * orders);  // [order][q]
     for (int l = 0; l < orders; ++l) {
         for (int c = 0; c < grid_.q; ++c) {
@@ -46,7 +46,7 @@ void SmoothTable::tabulate(const solver::MultipleScattering& r, double ior, int 
     parallel_for(0, grid_.a, [&](std::size_t ia) {
         const double root_a = static_cast<double>(ia) / (grid_.a - 1), a = root_a * root_a;
         const double theta_1 = 2 * std::atan(a), mu_1 = solver::inside_cosine(ior, theta_1);
-        const solver::MultipleScatteringSlice slice(r, theta_1);
+        const solver::MultipleScatteringSlice slice(r, theta_1, rank);
         std::vector<double> by_order(static_cast<std::size_t>(rank) * orders);
         std::vector<float> line(grid_.q);
         for (int ib = 0; ib < grid_.b; ++ib) {

@@ -65,6 +65,7 @@ void write_tensor(hid_t file, const TensorGroup& where, const solver::MultipleSc
     const hsize_t rank = static_cast<hsize_t>(r.rank());
     const hsize_t pairs = rank > 0 ? size(r.coefficient) / rank : 0;
     if (r.lobe_width > 0) write_attribute(group, "lobe_width", r.lobe_width);
+    write_attribute(group, "table_rank", r.table_rank);
     write_array(group, "exit_angle", {size(r.exit_angle)}, r.exit_angle.data(), "rad",
                 "polar angles outside the coat of the nodes i and j");
     write_array(group, "first", {size(r.first)}, r.first.data(), "1",
@@ -104,6 +105,10 @@ solver::MultipleScattering read_tensor(hid_t file, const TensorGroup& where,
     }
     require_content(r.lobe_width >= 0 && r.lobe_width <= kMaxLobeWidth,
                     "the width of the lobe is out of range");
+    r.table_rank =
+        H5Aexists(group, "table_rank") > 0 ? read_int_attribute(group, "table_rank") : r.rank();
+    require_content(r.table_rank >= 0 && r.table_rank <= r.rank(),
+                    "the rank of tables is out of range");
     require_finite(r.exit_angle, "an exit angle is not finite");
     require_finite(r.basis, "a spectral basis is not finite");
     require_finite(r.coefficient, "a coefficient is not finite");

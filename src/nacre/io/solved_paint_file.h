@@ -16,7 +16,8 @@
 //                            those of a user's files by their samples
 //   /wavelengths_nm          [w]
 //   /settings, /report       attributes: SolverSettings and SolverReport
-//   /remainder               attribute lobe_width (MultipleScattering); absent in older files
+//   /remainder               attributes lobe_width and table_rank (MultipleScattering), which older
+//                            files lack
 //   /remainder/exit_angle    [i], rad
 //   /remainder/first         [l]
 //   /remainder/basis         [k][w]

@@ -204,6 +204,11 @@ TEST(SolvedPaintFile, ContentsThatCannotBeAreRefusedEvenUnderAValidChecksum) {
     EXPECT_THAT(refused_paint(solved_paint_bytes(paint)),
                 HasSubstr("the width of the lobe is out of range"));
 
+    paint = silver();
+    ++(paint.multiple_scattering.table_rank = paint.multiple_scattering.rank());
+    EXPECT_THAT(refused_paint(solved_paint_bytes(paint)),
+                HasSubstr("the rank of tables is out of range"));
+
     std::string bytes = solved_paint_bytes(silver());
     const std::string thickness = "thickness_um = 10";
     ASSERT_NE(bytes.find(thickness), std::string::npos);

@@ -129,11 +129,13 @@ MultipleScattering compress(std::vector<double> exit_angle, std::vector<int> fir
     const auto needed = [&](const std::vector<double>& scale) {
         return rank_needed(all, eigen, scale, 0.5 * tolerance);
     };
-    std::vector<double> scale = pair_scales(out, largest, kFineShare);
-    int rank = needed(scale);
-    if (rank * pairs > kMaxFineCoefficients) {
-        scale = pair_scales(out, largest, 1);
-        rank = needed(scale);
+    std::vector<double> scale = pair_scales(out, largest, 1);
+    out.table_rank = needed(scale);
+    int rank = out.table_rank;
+    std::vector<double> fine_scale = pair_scales(out, largest, kFineShare);
+    if (const int fine = needed(fine_scale); fine * pairs <= kMaxFineCoefficients) {
+        rank = fine;
+        scale = std::move(fine_scale);
     }
     const RowMajorMatrix basis = eigen.vectors.rightCols(rank).rowwise().reverse().transpose();
     const RowMajorMatrix coefficient = (all * basis.transpose()).transpose();
@@ -158,8 +160,9 @@ MultipleScattering compress(std::vector<double> exit_angle, std::vector<int> fir
     return out;
 }
 
-MultipleScatteringSlice::MultipleScatteringSlice(const MultipleScattering& r, double theta_i)
-    : multiple_scattering_(r), interpolation_(r.exit_angle), theta_i_(theta_i) {
+MultipleScatteringSlice::MultipleScatteringSlice(const MultipleScattering& r, double theta_i,
+                                                 int rank)
+    : multiple_scattering_(r), interpolation_(r.exit_angle), theta_i_(theta_i), rank_(rank) {
     const int n = static_cast<int>(r.exit_angle.size());
     std::vector<double> over_lobe(triangle(n));
     for (int i = 0; i < n; ++i) {
@@ -169,11 +172,11 @@ MultipleScatteringSlice::MultipleScatteringSlice(const MultipleScattering& r, do
     }
     std::vector<double> weight(n);
     interpolation_.weights_at(theta_i, weight.data());
-    const std::size_t terms = static_cast<std::size_t>(r.rank()) * r.orders();
+    const std::size_t terms = static_cast<std::size_t>(rank) * r.orders();
     by_node_.assign(terms * n, 0.0);
     const float* value = r.coefficient.data();
     std::vector<double> out(n);
-    for (int k = 0; k < r.rank(); ++k) {
+    for (int k = 0; k < rank; ++k) {
         for (int l = 0; l < r.orders(); ++l) {
             const int first = r.first[l], rows = n - first;
             if (r.takes_part(l, theta_i)) {
@@ -192,8 +195,8 @@ void MultipleScatteringSlice::by_order(double theta_o, std::span<double> out) co
     const int n = static_cast<int>(multiple_scattering_.exit_angle.size());
     std::vector<double> weight(n);
     interpolation_.weights_at(theta_o, weight.data());
-    const int rank = multiple_scattering_.rank(), orders = multiple_scattering_.orders();
-    const std::size_t terms = static_cast<std::size_t>(rank) * orders;
+    const int orders = multiple_scattering_.orders();
+    const std::size_t terms = static_cast<std::size_t>(rank_) * orders;
     std::fill_n(out.begin(), terms, 0.0);
     double* const sum = out.data();
     const double lobe = multiple_scattering_.lobe(theta_i_, theta_o);
@@ -204,20 +207,19 @@ void MultipleScatteringSlice::by_order(double theta_o, std::span<double> out) co
     }
     for (int l = 0; l < orders; ++l) {
         if (multiple_scattering_.takes_part(l, theta_o)) continue;
-        for (int k = 0; k < rank; ++k) sum[k * orders + l] = 0;
+        for (int k = 0; k < rank_; ++k) sum[k * orders + l] = 0;
     }
 }
 
 void MultipleScatteringSlice::coefficients(double theta_o, double phi,
                                            std::span<double> out) const {
     const int orders = multiple_scattering_.orders();
-    std::vector<double> term(static_cast<std::size_t>(multiple_scattering_.rank()) * orders);
+    std::vector<double> term(static_cast<std::size_t>(rank_) * orders);
     by_order(theta_o, term);
     std::fill(out.begin(), out.end(), 0.0);
     for (int l = 0; l < orders; ++l) {
         const double cosine = (l ? 2.0 : 1.0) * std::cos(l * (phi - std::numbers::pi));
-        for (int k = 0; k < multiple_scattering_.rank(); ++k)
-            out[k] += cosine * term[k * orders + l];
+        for (int k = 0; k < rank_; ++k) out[k] += cosine * term[k * orders + l];
     }
 }
 

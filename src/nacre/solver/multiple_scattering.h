@@ -31,6 +31,9 @@ struct MultipleScattering {
     std::vector<float> basis;        ///< [k][wavelength]
     std::vector<float> coefficient;  ///< [k][pair], pairs by order, then rows i >= j from first[l]
     double lobe_width = 0;  ///< of a sine; 0: polynomials interpolate the values themselves
+    /// The first so many spectra suffice where values may err by the tolerance itself, not by a tenth
+    /// of it: in tables for pictures, whose own interpolation errs by more.
+    int table_rank = 0;
 
     int orders() const { return static_cast<int>(first.size()); }
     int rank() const {
@@ -79,10 +82,14 @@ MultipleScattering compress(std::vector<double> exit_angle, std::vector<int> fir
 /// Evaluates the multiple scattering for one incident direction at any number of outgoing ones.
 class MultipleScatteringSlice {
  public:
-    MultipleScatteringSlice(const MultipleScattering& multiple_scattering, double theta_i);
-    /// Coefficients of the spectral basis, rank() values.
+    MultipleScatteringSlice(const MultipleScattering& multiple_scattering, double theta_i)
+        : MultipleScatteringSlice(multiple_scattering, theta_i, multiple_scattering.rank()) {}
+    /// Of the first `rank` spectra.
+    MultipleScatteringSlice(const MultipleScattering& multiple_scattering, double theta_i,
+                            int rank);
+    /// Coefficients of the spectral basis, as many as there are spectra.
     void coefficients(double theta_o, double phi, std::span<double> out) const;
-    /// The same by azimuthal order, [k][l], rank() orders() values: what is to be multiplied by
+    /// The same by azimuthal order, [k][l]: what is to be multiplied by
     /// (2 - delta_l0) cos(l (phi - pi)) and summed over l.
     void by_order(double theta_o, std::span<double> out) const;
 
@@ -90,8 +97,9 @@ class MultipleScatteringSlice {
     const MultipleScattering& multiple_scattering_;
     ExitInterpolation interpolation_;
     double theta_i_;
-    std::vector<double>
-        by_node_;  // [j][k][l]: over the lobe, contracted with the weights of theta_i
+    int rank_;
+    // [j][k][l]: over the lobe, contracted with the weights of theta_i.
+    std::vector<double> by_node_;
 };
 
 }  // namespace nacre::solver

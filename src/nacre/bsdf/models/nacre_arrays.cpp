@@ -19,8 +19,8 @@ void add_smooth(const Microflake::Tables& tables, NacreArrays& out) {
     const auto coefficients = tables.smooth.coefficients();
     out.smooth.assign(coefficients.begin(), coefficients.end());
     for (const solver::MultipleScattering* tensor : tabulated_tensors(*tables.paint)) {
-        if (tensor == &tables.paint->rough_single) out.single_rank = tensor->rank();
-        const auto size = static_cast<std::size_t>(tensor->rank()) * tables.wavelength_count();
+        if (tensor == &tables.paint->rough_single) out.single_rank = tensor->table_rank;
+        const auto size = static_cast<std::size_t>(tensor->table_rank) * tables.wavelength_count();
         out.smooth_basis.insert(out.smooth_basis.end(), tensor->basis.begin(),
                                 tensor->basis.begin() + static_cast<std::ptrdiff_t>(size));
     }

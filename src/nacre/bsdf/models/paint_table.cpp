@@ -37,10 +37,10 @@ BoundSmoothTable bind_table(const SmoothTable& table, const solver::SolvedPaint&
     std::vector<FloatLanes> basis;
     for (const solver::MultipleScattering* tensor : tabulated_tensors(paint)) {
         if (single_alone && tensor != &paint.rough_single) {
-            first += tensor->rank();
+            first += tensor->table_rank;
             continue;
         }
-        for (int k = 0; k < tensor->rank(); ++k) {
+        for (int k = 0; k < tensor->table_rank; ++k) {
             basis.push_back(
                 at_wavelengths(where, [&](int w) { return tensor->basis[k * count + w]; }));
         }
