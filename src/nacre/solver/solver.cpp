@@ -177,7 +177,7 @@ class GroupSolver {
     double size_of(int order, const OrderValues& multiple, const OrderValues& single) const {
         const int first = first_[order], rows = directions_.exit_count - first;
         const std::size_t blocks = blocks_.size();
-        DoubleLanes size{}, broken{};  // broken: 0, not a number where a result is not finite
+        DoubleLanes size{};
         std::size_t at = 0;
         for (int i = 0; i < rows; ++i) {
             const DoubleLanes* const peak_i = peak_.data() + (first + i) * blocks;
@@ -186,19 +186,12 @@ class GroupSolver {
                 for (std::size_t b = 0; b < blocks; ++b, ++at) {
                     DoubleLanes value = multiple[at];
                     if (interface_) value += single[at];
-                    broken += value - value;
                     const DoubleLanes scale = min_lanes(peak_i[b], peak_j[b]);
                     // Beyond the last wavelength lanes repeat it.
                     size = max_lanes(
                         size, max_lanes(value, -value) / max_lanes(scale, splat(kBlackBrdf)));
                 }
             }
-        }
-        if (!(lane_sum(broken) == 0)) {
-            throw Error(
-                fmt::format("the solver broke down in azimuthal order {}: a result is not finite; "
-                            "please report the recipe",
-                            order));
         }
         return lane_max(size);
     }
@@ -226,6 +219,14 @@ class GroupSolver {
                                   values.data() + pairs, values.data());
             } else {
                 solve_order(blocks_[b], directions_, active_, l, work, values.data());
+            }
+            DoubleLanes broken{};  // 0; not a number where a result is not finite
+            for (const DoubleLanes& value : values) broken += value - value;
+            if (!(lane_sum(broken) == 0)) {
+                throw Error(fmt::format(
+                    "the solver broke down in azimuthal order {}: a result is not finite; "
+                    "please report the recipe",
+                    l));
             }
             for (std::size_t pair = 0; pair < pairs; ++pair) {
                 multiple_[l][pair * blocks + b] = values[pair];
