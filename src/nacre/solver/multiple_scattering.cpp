@@ -14,10 +14,18 @@ std::size_t MultipleScattering::pair_count() const {
     return count;
 }
 
-double MultipleScattering::lobe(double theta_i, double theta_o) const {
-    if (!(lobe_width > 0)) return 1;
-    const double distance = (std::sin(theta_i) - std::sin(theta_o)) / lobe_width;
+namespace {
+
+double lobe_of_sines(double width, double sine_i, double sine_o) {
+    if (!(width > 0)) return 1;
+    const double distance = (sine_i - sine_o) / width;
     return std::exp(-distance * distance) + kLobeFloor;
+}
+
+}  // namespace
+
+double MultipleScattering::lobe(double theta_i, double theta_o) const {
+    return lobe_of_sines(lobe_width, std::sin(theta_i), std::sin(theta_o));
 }
 
 namespace {
@@ -164,10 +172,11 @@ MultipleScatteringSlice::MultipleScatteringSlice(const MultipleScattering& r, do
                                                  int rank)
     : multiple_scattering_(r), interpolation_(r.exit_angle), theta_i_(theta_i), rank_(rank) {
     const int n = static_cast<int>(r.exit_angle.size());
-    std::vector<double> over_lobe(triangle(n));
+    std::vector<double> sine, over_lobe(triangle(n));
     for (int i = 0; i < n; ++i) {
+        sine.push_back(std::sin(r.exit_angle[i]));
         for (int j = 0; j <= i; ++j) {
-            over_lobe[triangle(i) + j] = 1 / r.lobe(r.exit_angle[i], r.exit_angle[j]);
+            over_lobe[triangle(i) + j] = 1 / lobe_of_sines(r.lobe_width, sine[i], sine[j]);
         }
     }
     std::vector<double> weight(n);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "nacre/solver/fourier_kernel.h"
+#include "nacre/solver/directions.h"
 
 namespace nacre::solver {
 

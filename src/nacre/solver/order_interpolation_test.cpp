@@ -18,7 +18,7 @@ using test::kOneWavelength;
 
 // Largest error of the orders that are left out among `orders` of f(l), at one pair of nodes of a
 // tile that has all of them.
-double worst_error(int orders, const std::function<double(int)>& f) {
+double error_of_series(int orders, const std::function<double(int)>& f) {
     const std::vector<int> first(orders, 0);
     std::vector<OrderValues> values(orders);
     const auto exact = [&](int l) { return OrderValues(triangle(kTile), splat(f(l))); };
@@ -69,12 +69,12 @@ TEST(OrderInterpolation, LobesAreInterpolatedToTheStatedError) {
     for (double width = 1e-2; width < 2; width *= 1.02) {
         // As many orders as a lobe of this width has, down to 1e-6, or 1024.
         const int orders = std::clamp(static_cast<int>(5.3 / width), 2 * kDenseOrders + 4, 1024);
-        gaussian = std::max(gaussian, worst_error(orders, [&](int l) {
+        gaussian = std::max(gaussian, error_of_series(orders, [&](int l) {
                                 return std::exp(-0.5 * l * width * (l * width));
                             }));
         if (width > 0.03) {
-            exponential = std::max(exponential,
-                                   worst_error(1024, [&](int l) { return std::exp(-width * l); }));
+            exponential = std::max(
+                exponential, error_of_series(1024, [&](int l) { return std::exp(-width * l); }));
         }
     }
     // In the first stretch, where it is worst: 2.1e-8, 3.0e-10; in others twice that, as what is
@@ -106,7 +106,7 @@ TEST(OrderInterpolation, NodesThatHaveNoSuchOrderAreZeroThere) {
 
 // The BRDF of a paint with orders left out, against one with all of them solved, over the peak: a
 // tolerance no interpolation meets makes the solver solve all.
-double worst_error(const paint::Recipe& recipe, int least_orders) {
+double error_of_paint(const paint::Recipe& recipe, int least_orders) {
     SolverSettings settings{.tolerance = 1e-6};
     const SolvedPaint found = solve(recipe, kOneWavelength, settings);
     EXPECT_GT(found.report.orders, least_orders);
@@ -132,14 +132,14 @@ double worst_error(const paint::Recipe& recipe, int least_orders) {
 
 TEST(OrderInterpolation, SolvedPaintsAreAsIfAllOrdersWereSolved) {
     // Orders are kept to 1e-7.
-    EXPECT_LT(worst_error(test::flake_paint(0.03, 0.8, 0, 2, 1.5), 48), 1e-6);
-    EXPECT_LT(worst_error(test::flake_paint(0.3, 0.6, 0, 2, 1.0), 96), 1e-6);
+    EXPECT_LT(error_of_paint(test::flake_paint(0.03, 0.8, 0, 2, 1.5), 48), 1e-6);
+    EXPECT_LT(error_of_paint(test::flake_paint(0.3, 0.6, 0, 2, 1.0), 96), 1e-6);
 }
 
 TEST(OrderInterpolation, WhatIsNotSmoothIsSolved) {
     // Light that is thrown back alternates in sign from order to order, which no order in between
     // shows: by the even ones alone it would be thrown forward too.
-    EXPECT_LT(worst_error(test::pigment_paint(0.9, 2, -0.96, 1.5), 26), 1e-6);
+    EXPECT_LT(error_of_paint(test::pigment_paint(0.9, 2, -0.96, 1.5), 26), 1e-6);
 }
 
 }  // namespace
