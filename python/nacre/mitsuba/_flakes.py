@@ -1,20 +1,20 @@
 """Single flakes in Dr.Jit: the same hashed flakes as Nacre's, on the patch that a sample looks at.
 
 What stands here is BoundNacre in src/nacre/bsdf/models/nacre.h. C++ collects the flakes of a patch
-in a list and asks it again and again; here each pair of directions goes through the cells anew, as
-Dr.Jit has no memory for lists inside the functions of a BSDF.
+in a list and asks it again and again; here each pair of directions goes through the cells anew
+(_cells.py).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import drjit as dr
 import mitsuba as mi
 
 from ._bands import Arrays, Float, Source, Table, Wide
-from ._bits import SHORT_GOLDEN, hash_of_two, mix_bits_32, u32, u64, unit_float, unit_fraction
+from ._bits import hash_of_two, mix_bits_32, u64, unit_float, unit_fraction
+from ._cells import Cells
 from ._field import MAX_EXPONENT, Field, Flake, added_radius2
 from ._hot_spot import HotSpot
 from ._microflake import MeanFlakes, Microflake, Pair, Ray, mean_escape
@@ -26,7 +26,7 @@ class Sparkle(MeanFlakes):
     """The flakes of a patch in place of the mean of all: BoundNacre::FlakesOfPatch.
 
     Whoever goes through the flakes for a pair of directions learns on the way how likely each is to
-    be drawn, and draws one. Where `shown` is false, the mean is seen.
+    be drawn. Where `shown` is false, the mean is seen.
     """
 
     def __init__(
@@ -34,7 +34,6 @@ class Sparkle(MeanFlakes):
     ) -> None:
         self.model = model
         self.averaged = model.mean
-        self.patch = patch
         self.i = i
         self.shown = shown
         self.active = mi.Bool(active) & shown
@@ -42,61 +41,40 @@ class Sparkle(MeanFlakes):
         self.levels = [
             f.levels(outline) for f, outline in zip(model.fields, self.outlines, strict=True)
         ]
+        self.cells = [
+            Cells(field, patch, outline, levels)
+            for field, outline, levels in zip(model.fields, self.outlines, self.levels, strict=True)
+        ]
         resolved = mi.Float(0)
         for share, levels in zip(model.shares, self.levels, strict=True):
             resolved = dr.fma(share, levels.resolved, resolved)
         self.resolved = dr.select(self.shown, resolved, 0)
-        # Of the last pair of directions that was asked: sums over the flakes that were met.
-        self.densities: list[Float] = []
-        self.met: Any = None
-        # A flake is drawn while the first pair is asked.
-        self.random: Any = None
+        self.rounds = [c.start(self.active) for c in self.cells]
+        # By which draw() takes flakes, in sum; after survey(), or the value of any pair.
+        self.total = mi.Float(0)
 
-    def start(self, random: Any = None) -> None:
-        """Before the value of a pair. random: 32 bits with which a flake is drawn; None: none."""
-        self.densities = []
-        self.random = random
-        self.met = {"chances": mi.Float(0)}
-        if random is not None:
-            self.met |= {"slope": mi.Vector2f(0, 0), "radius": mi.Float(1e-3)}
+    def start(self) -> None:
+        # Of the pair of directions that is asked, the sum over flakes of weight times density.
+        self.density_sum = mi.Float(0)
+        self.total = mi.Float(0)
 
-    def _meet(self, s: int) -> Callable[[Flake, Any, Any], Any]:
-        field, outline, share = self.model.fields[s], self.outlines[s], self.model.shares[s]
+    def survey(self, random: Any) -> None:
+        """Draws a flake.
 
-        def meet(f: Flake, mask: Any, met: Any) -> Any:
-            chance = dr.select(mask, share * self._chance(outline, f), 0)
-            total = met["chances"] + chance
-            if self.random is None:
-                return {"chances": total}
-            # Each takes the place of those before with the probability of its part of the sum.
-            bits = mix_bits_32(self.random ^ f.place ^ u32(f.kind * mi.UInt32(SHORT_GOLDEN)))
-            take = mask & (unit_fraction(bits) * total < chance)
-            return {
-                "chances": total,
-                "slope": dr.select(take, f.slope, met["slope"]),
-                "radius": dr.select(take, field.drawn_radius(self.i.inside, f), met["radius"]),
-            }
-
-        return meet
-
-    @staticmethod
-    def _chance(outline: Outline, f: Flake) -> Float:
-        return f.weight * outline.rough_coverage(f.x, f.y, f.radius_mm)
-
-    def survey(self) -> None:
-        """Meets the flakes without a pair of directions."""
+        random: 32 bits
+        """
+        self.total, slope, radius = mi.Float(0), mi.Vector2f(0), mi.Float(1e-3)
         for s, field in enumerate(self.model.fields):
-            self.met, _ = field.visit(
-                self.patch,
-                self.outlines[s],
-                self.levels[s],
-                self.active,
-                self._meet(s),
-                self.met,
-                lambda f: mi.Bool(False),
-                lambda f, mask, state: state,
-                (),
-            )
+            flake, total, self.rounds[s] = self.cells[s].draw(self.active, random)
+            weight = self.model.shares[s] * total
+            self.total = self.total + weight
+            # As in Cells.draw().
+            random = mix_bits_32(random ^ mi.UInt32(s + 1))
+            take = unit_fraction(random) * self.total < weight
+            slope = dr.select(take, flake.slope, slope)
+            own = field.drawn_radius(self.i.inside, flake, self.levels[s])
+            radius = dr.select(take, own, radius)
+        self.slope, self.radius = slope, radius
 
     def factor(self, pair: Pair, layer: int, flake: int, depth: Wide) -> Wide | Float:
         model = self.model
@@ -109,7 +87,7 @@ class Sparkle(MeanFlakes):
         spread2 = field.spread2(pair.i.inside.z, pair.o.inside.z) if field.spreads else None
         added2 = 0 if spread2 is None else levels.widening**2 * added_radius2(spread2)
         part = dr.select(reaches, field.answer_factor(levels, exponent, scale, spread2), 0)
-        density = dr.inv_pi / alpha2 * dr.exp(-dr.minimum(exponent, MAX_EXPONENT))
+        beckmann = dr.inv_pi / alpha2 * dr.exp(-dr.minimum(exponent, MAX_EXPONENT))
         widest = field.max_width * field.alpha
         hot_spot = model.hot_spot
         spread = hot_spot.spread(pair) if hot_spot else None
@@ -124,17 +102,16 @@ class Sparkle(MeanFlakes):
 
         def accept(f: Flake) -> Any:
             d2, width = distance2(f)
-            drawn = field.drawn_radius(self.i.inside, f)
+            drawn = field.drawn_radius(self.i.inside, f, levels)
             return d2 < dr.maximum(width * width, drawn * drawn)
 
-        def answer(f: Flake, mask: Any, state: Any) -> Any:
-            reflected, drawn = state
+        def answer(f: Flake, weight: Float, state: Any) -> Any:
+            reflected, density = state
             d2, width = distance2(f)
-            y = width / field.alpha
-            blur = dr.exp(y * y * field._tables(exponent, y)[0])
             fraction = f.weight * field.inverse_cover
             fraction *= outline.coverage(f.x, f.y, f.radius_mm)
-            fraction *= field.lobe(d2, width) * part / (density * blur)
+            blurred = beckmann * field.blur(exponent, width / field.alpha)
+            fraction *= field.lobe(d2, width) * part / blurred
             bits = hash_of_two(f.place, f.kind)
             u = unit_float(mi.UInt32(u64(bits) & 0xFFFFFFFF))
             log: Wide = -u * depth
@@ -143,25 +120,17 @@ class Sparkle(MeanFlakes):
             light = fraction * dr.exp(log)
             if films is not None:
                 light *= films.ratio(mi.UInt32(bits >> 32), pair)
-            chance = self._chance(outline, f)
-            chance *= field.lobe(d2, field.drawn_radius(self.i.inside, f))
-            return (
-                reflected + dr.select(mask & reaches, light, 0),
-                drawn + dr.select(mask, chance, 0),
-            )
+            lobe = field.lobe(d2, field.drawn_radius(self.i.inside, f, levels))
+            return reflected + dr.select(reaches, light, 0), density + weight * lobe
 
-        self.met, (reflected, drawn) = field.visit(
-            self.patch,
-            outline,
-            levels,
-            self.active,
-            self._meet(s),
-            self.met,
+        (reflected, density), total = self.cells[s].visit(
+            self.rounds[s],
             accept,
             answer,
             (model.smooth.bands.constant(0), mi.Float(0)),
         )
-        self.densities.append(model.shares[s] * drawn)
+        self.density_sum = dr.fma(model.shares[s], density, self.density_sum)
+        self.total = dr.fma(model.shares[s], total, self.total)
         background = 1 - levels.resolved * part
         mean = hot_spot.mean(pair, layer, depth) if hot_spot else 1
         return dr.select(self.shown, background * mean + reflected / mean_escape(depth), mean)
@@ -174,25 +143,22 @@ class Sparkle(MeanFlakes):
 
     @property
     def any(self) -> Any:
-        """Whether a flake was met."""
-        return self.met["chances"] > 0
+        """Whether a flake touches the patch."""
+        return self.total > 0
 
     def density(self, pair: Pair) -> Float:
         """Per solid angle outside, of draw(); after the value of this pair."""
         ratio = pair.o.outside.z / (self.model.smooth.mean_ior**2 * pair.o.inside.z)
-        total = mi.Float(0)
-        for density in self.densities:
-            total = total + density
-        slopes = total / dr.select(self.any, self.met["chances"], 1)
+        slopes = self.density_sum / dr.select(self.any, self.total, 1)
         return dr.detach(slopes * pair.slopes_per_solid_angle * ratio)
 
     def draw(self, u: Any) -> Any:
-        """A direction from the lobe of the flake that was drawn."""
+        """A direction from the lobe of the flake that survey() drew."""
         # The inverse of 1 - (1 - r^2/w^2)^3.
         root = dr.power(dr.maximum(1 - u.x, 1e-12), 1 / 3)
-        r = self.met["radius"] * dr.sqrt(dr.maximum(1 - root, 0))
+        r = self.radius * dr.sqrt(dr.maximum(1 - root, 0))
         sin, cos = dr.sincos(2 * dr.pi * u.y)
-        slope = self.met["slope"]
+        slope = self.slope
         m = dr.normalize(mi.Vector3f(slope.x + r * cos, slope.y + r * sin, 1))
         inside = 2 * dr.dot(self.i.inside, m) * m - self.i.inside
         return refract_out(inside, self.model.smooth.mean_ior)

@@ -71,7 +71,7 @@ class Flakes(Protocol):
     averaged: Flakes | None
     """Their mean, which a table under a rough coat holds; None: they are it."""
 
-    def start(self, random: Any = None) -> None:
+    def start(self) -> None:
         """Before each pair of directions."""
 
     def factor(self, pair: Pair, layer: int, flake: int, depth: Wide) -> Wide | Float:
@@ -87,7 +87,7 @@ class Flakes(Protocol):
 class MeanFlakes:
     averaged: Flakes | None = None
 
-    def start(self, random: Any = None) -> None:
+    def start(self) -> None:
         pass
 
     def factor(self, pair: Pair, layer: int, flake: int, depth: Wide) -> Wide | Float:

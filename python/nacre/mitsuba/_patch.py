@@ -19,6 +19,21 @@ MAX_STRETCH = 1.5811388
 PROJECTION_BLEND = 0.1
 
 
+def smaller(a: Float, b: Float) -> Float:
+    """dr.minimum() of what is no NaN: a third of the cost."""
+    return dr.select(a < b, a, b)
+
+
+def larger(a: Float, b: Float) -> Float:
+    """dr.maximum() of what is no NaN."""
+    return dr.select(a > b, a, b)
+
+
+def within(x: Float, low: Float, high: Float) -> Float:
+    """dr.clip() of what is no NaN."""
+    return larger(smaller(x, high), low)
+
+
 @dataclass
 class Footprint:
     """The piece of a surface that a sample looks at, in the millimetres of the rest space."""
@@ -75,19 +90,15 @@ class Outline:
     def _area(e: list[Any]) -> Float:
         return e[0].x * e[1].y - e[0].y * e[1].x
 
-    def touches(self, x: Float, y: Float, radius: Float) -> Any:
-        touching = mi.Bool(True)
+    def rough_overlap(self, x: Float, y: Float, radius: Float) -> Float:
+        """Area shared with a disc, in mm^2: within a factor of two for most, at a tenth of the cost
+        of coverage(). Positive where the disc touches both strips that cross in the patch, else 0.
+        """
+        area = mi.Float(1)
         for normal, half in self.strip:
-            touching &= dr.abs(x * normal.x + y * normal.y) < half + radius
-        return touching
-
-    def rough_coverage(self, x: Float, y: Float, radius: Float) -> Float:
-        """coverage() of a disc that touches the patch to a factor of order 1, at a tenth of the
-        cost; never zero."""
-        most = dr.minimum(dr.pi * radius * radius / self.area, 1)
-        reach = dr.minimum(0.5 * (self.size[0] + self.size[1]) + 1e-3 * radius, 2 * radius)
-        inside = (radius - dr.sqrt(x * x + y * y)) / reach
-        return most * dr.clip(0.5 + inside, 0.1, 1)
+            inside = half + radius - dr.abs(x * normal.x + y * normal.y)
+            area *= within(inside, 0, 2 * smaller(half, radius))
+        return area
 
     def coverage(self, x: Float, y: Float, radius: Float) -> Float:
         """The fraction of the patch that a disc about (x, y) covers."""
@@ -115,8 +126,8 @@ class Outline:
             distance = px * along.y - py * along.x
             t0 = px * along.x + py * along.y
             t1 = t0 + size
-            chord = dr.sqrt(dr.maximum(radius2 - distance * distance, 0))
-            c0, c1 = dr.clip(t0, -chord, chord), dr.clip(t1, -chord, chord)
+            chord = dr.sqrt(larger(radius2 - distance * distance, 0))
+            c0, c1 = within(t0, -chord, chord), within(t1, -chord, chord)
             off = dr.select(distance == 0, 1e-30, distance)
             inside &= off > 0
             triangles += distance * (c1 - c0)
@@ -129,16 +140,20 @@ class Outline:
 class Axis:
     """Of a plane of cells: FlakePlane::Axis."""
 
-    at: Float
-    half: Float
+    first: Any
+    """Of the cells of the finest level that the patch may touch."""
+    last: Any
+    corner: Float
+    """Of the first, from the middle of the patch, in mm."""
     step: Any
+    """In the plane of the patch, for one along the axis."""
 
-    def cells(self, per_mm: float) -> tuple[Any, Any]:
-        at = mi.Float64(self.at)
-        return (
-            mi.Int32(dr.floor((at - mi.Float64(self.half)) * per_mm)),
-            mi.Int32(dr.floor((at + mi.Float64(self.half)) * per_mm)),
-        )
+    @staticmethod
+    def through(at: Float, half: Float, step: Any, cell_mm: float) -> Axis:
+        at = mi.Float64(at)
+        first = mi.Int32(dr.floor((at - mi.Float64(half)) / cell_mm))
+        last = mi.Int32(dr.floor((at + mi.Float64(half)) / cell_mm))
+        return Axis(first, last, mi.Float(mi.Float64(first) * cell_mm - at), step)
 
 
 @dataclass
@@ -146,13 +161,17 @@ class Plane:
     """A plane of cells as a patch sees it: FlakePlane."""
 
     side: Any
+    fraction: Float
+    """Of the flakes; 0 where the plane gives none."""
     kept: Float
     u: Axis
     v: Axis
     turn: Any
 
     @staticmethod
-    def through(patch: Footprint, outline: Outline, axis: int, fraction: Float) -> Plane:
+    def through(
+        patch: Footprint, outline: Outline, axis: int, fraction: Float, cell_mm: float
+    ) -> Plane:
         n, t, b = patch.normal, outline.tangent, outline.bitangent
         across = dr.select(dr.abs(n[axis]) < 1e-6, 1e-6, n[axis])
 
@@ -161,12 +180,13 @@ class Plane:
             half = 0.5 * (dr.abs(patch.edge_1_mm[i]) + dr.abs(patch.edge_2_mm[i]))
             half += outline.reach * dr.sqrt(dr.maximum(1 - n[i] * n[i], 0))
             step = mi.Vector2f(t[i] - shear * t[axis], b[i] - shear * b[axis])
-            return Axis(patch.position_mm[i], half, step)
+            return Axis.through(patch.position_mm[i], half, step, cell_mm)
 
         first = (axis + 1) % 3
         turn = dr.normalize(mi.Vector2f(t[first], b[first]))
         return Plane(
             mi.UInt32(2 * axis) + dr.select(n[axis] < 0, mi.UInt32(1), mi.UInt32(0)),
+            fraction,
             fraction * dr.abs(1 / across) * (65536 / MAX_STRETCH),
             make(first),
             make((axis + 2) % 3),
@@ -174,12 +194,16 @@ class Plane:
         )
 
 
-def planes_of(patch: Footprint, outline: Outline) -> tuple[list[Plane], list[Any]]:
-    """The three planes across the axes, and which of them give flakes: projections_of()."""
+def planes_of(patch: Footprint, outline: Outline, cell_mm: float) -> list[Plane]:
+    """The three planes across the axes, of which one to three give flakes: projections_of().
+
+    cell_mm: side of the finest cells
+    """
     n = patch.normal
     squares = [n[axis] * n[axis] for axis in range(3)]
     largest = dr.maximum(dr.maximum(squares[0], squares[1]), squares[2])
     weights = [dr.maximum(s - largest + PROJECTION_BLEND, 0) for s in squares]
     total = weights[0] + weights[1] + weights[2]
-    planes = [Plane.through(patch, outline, axis, weights[axis] / total) for axis in range(3)]
-    return planes, [w > 0 for w in weights]
+    return [
+        Plane.through(patch, outline, axis, weights[axis] / total, cell_mm) for axis in range(3)
+    ]

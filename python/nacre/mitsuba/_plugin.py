@@ -245,7 +245,9 @@ def make_plugin() -> Any:
             one = dr.select(flakes.any, one, 0)
             return (chances[0], chances[1] - one, *chances[2:]), one
 
-        def _density(self, pair: Pair, flakes: Any, chances: Any, one: Any) -> Any:
+        def _density(self, ctx: Any, pair: Pair, flakes: Any) -> Any:
+            """Of a direction that sample() draws; after the value of this pair."""
+            chances, one = self._chances(ctx, pair.i, flakes)
             density = self.sampling.density(chances, pair.i, pair.o)
             if isinstance(flakes, Sparkle):
                 density += one * flakes.density(pair)
@@ -261,7 +263,7 @@ def make_plugin() -> Any:
             active: Any,
         ) -> tuple[Any, Any, Any, Any]:
             """Value times cosine and density of wo, a sample and its weight; each only if wo, or
-            sample1, is not None. The flakes of the patch are found once for both."""
+            sample1, is not None."""
             smooth, bands = self.smooth, self.table_bands
             specular = ctx.is_enabled(mi.BSDFFlags.DeltaReflection, 0) and smooth.rough == 0
             rest = ctx.is_enabled(mi.BSDFFlags.GlossyReflection, 1)
@@ -274,25 +276,21 @@ def make_plugin() -> Any:
             up = mi.Vector3f(0, 0, 1)
             i = smooth.ray(dr.select(active, si.wi, up), where, active)
             flakes = self._flakes(si, i, active) if rest else self.mean
-            random = None if sample1 is None else random_bits(sample1)
 
-            value, f, pair = black, None, None
+            value, density = black, mi.Float(0)
             if wo is not None and rest:
                 lit = active & (wo.z > 0)
                 pair = smooth.pair(i, smooth.ray(dr.select(lit, wo, up), where, lit), where)
-                flakes.start(random)
+                flakes.start()
                 f = smooth.value(pair, flakes, lit)
                 value = bands.colour(dr.select(lit, dr.maximum(f, 0) * wo.z, 0))
-            elif isinstance(flakes, Sparkle):
-                flakes.start(random)
-                flakes.survey()
-            chances, one = self._chances(ctx, i, flakes)
-            density = mi.Float(0)
-            if pair is not None:
-                density = dr.select(lit, self._density(pair, flakes, chances, one), 0)
+                density = dr.select(lit, self._density(ctx, pair, flakes), 0)
             if sample1 is None:
                 return value, density, bs, black
 
+            if isinstance(flakes, Sparkle):
+                flakes.survey(random_bits(sample1))
+            chances, one = self._chances(ctx, i, flakes)
             # In this order: the interface, lobes of all flakes, evenly, one flake.
             is_delta = mi.Bool(smooth.rough == 0) & (sample1 < chances[0])
             drawn = self.sampling.draw(chances, i, dr.minimum(sample1, 1 - one), sample2)
@@ -305,7 +303,7 @@ def make_plugin() -> Any:
             glossy = active & no(is_delta)
             flakes.start()
             f = smooth.value(pair, flakes, glossy)
-            pdf = self._density(pair, flakes, chances, one)
+            pdf = self._density(ctx, pair, flakes)
             glossy &= pdf > 0
             weight = dr.select(glossy, dr.maximum(f, 0) * (drawn.z / dr.maximum(pdf, 1e-30)), 0)
             reflected = smooth.specular(si.wi.z, where, active) / dr.maximum(chances[0], 1e-30)

@@ -1,0 +1,366 @@
+"""The cells of a species that touch a patch, and the flakes in them.
+
+What stands here is FlakeField::look() in src/nacre/sparkle/flake_field.cpp, which lists flakes in
+memory of its own. Dr.Jit has none inside the functions of a BSDF.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import drjit as dr
+import mitsuba as mi
+
+from ._bands import Float
+from ._bits import (
+    GOLDEN,
+    SHORT_GOLDEN,
+    first_bit,
+    gaussian_slopes,
+    mix_bits,
+    mix_bits_32,
+    u32,
+    u64,
+    unit_float,
+    unit_fraction,
+)
+from ._field import Field, Flake, Levels
+from ._patch import Axis, Footprint, Outline, Plane, planes_of
+
+BATCH = 4
+"""Flakes of a cell that are looked at together; it has up to four on average."""
+KEPT = 16
+"""Batches that are kept until their flakes are asked, which are a bit each of 64."""
+NO_PLANE = 3
+
+Place = tuple[Any, Any, Any, Any]
+"""Where a batch is in a plane: level, column and row of the cell, from the first that the patch may
+touch, and number of the first flake."""
+
+
+@dataclass
+class Batch:
+    """What flakes of a cell have in common."""
+
+    first: Any
+    """Number of the first flake."""
+    number: Any
+    """Of flakes in the cell."""
+    low_key: Any
+    high_key: Any
+    corner: Any
+    """Of the cell, in the plane of the patch."""
+    step_u: Any
+    step_v: Any
+    """2^-16 of the cell's sides there."""
+    turn: Any
+    kept: Float
+    weight: Float
+    """Of the level."""
+
+
+@dataclass
+class Round:
+    """Batches of flakes that touch the patch, as many as are kept at a time."""
+
+    plane: Any
+    """Its number."""
+    codes: list[Any]
+    """Places."""
+    flakes: Any
+    """That touch the patch: a bit each."""
+    next_plane: Any
+    next_place: Place
+    """Where to look for more."""
+    total: Float
+    """Of the weights of all flakes, up to there."""
+    drawn: Any
+    """Place of the batch that was drawn from all, up to there."""
+    drawn_plane: Any
+
+
+class Cells:
+    """Those whose flakes may touch a patch, plane by plane and level by level."""
+
+    def __init__(self, field: Field, patch: Footprint, outline: Outline, levels: Levels) -> None:
+        self.field = field
+        self.outline = outline
+        self.levels = levels
+        self.planes = planes_of(patch, outline, field.cell_mm[0])
+        self.finest = len(field.cell_mm)
+        level = mi.Int32(0)
+        for n in range(self.finest - 1):
+            level = dr.select((level == n) & (levels.weight[n] <= 0), n + 1, level)
+        self.first_place: Place = level, mi.Int32(0), mi.Int32(0), mi.Int32(0)
+
+    # Choices
+
+    def _plane(self, p: Any) -> Plane:
+        """The plane of this number."""
+        x, y, z = self.planes
+        chosen: Plane = dr.select(p == 0, x, dr.select(p == 1, y, z))
+        return chosen
+
+    def _next_plane(self, p: Any) -> Any:
+        """The number of the next plane that gives flakes, or NO_PLANE."""
+        p = p + 1
+        for n in range(NO_PLANE):
+            p = dr.select((p == n) & (self.planes[n].fraction <= 0), n + 1, p)
+        return p
+
+    @staticmethod
+    def _of(number: Any, values: Sequence[Any]) -> Any:
+        """That of a level, or of a batch that was kept."""
+        chosen = values[-1]
+        for n in reversed(range(len(values) - 1)):
+            chosen = dr.select(number == n, values[n], chosen)
+        return chosen
+
+    @staticmethod
+    def _choice(u: Float, weights: Sequence[Float]) -> Any:
+        """The number of a weight, by their parts of the sum; never of one that is 0 where any is
+        not."""
+        total = sum(weights[1:], start=weights[0])
+        chosen, before = mi.Int32(0), mi.Float(0)
+        for n, weight in enumerate(weights):
+            chosen = dr.select((weight > 0) & (u * total >= before), n, chosen)
+            before = before + weight
+        return chosen
+
+    # From batch to batch
+
+    def _next_place(self, plane: Plane, at: Place, number: Any) -> Place:
+        """After a batch of a cell of so many flakes; behind the last one the level is `finest`."""
+        level, u, v, first = at
+        shift = 2 * level  # sides double twice from level to level
+        first = first + BATCH
+        next_cell = first >= number
+        first = dr.select(next_cell, 0, first)
+        u = dr.select(next_cell, u + 1, u)
+        next_row = u > (plane.u.last >> shift) - (plane.u.first >> shift)
+        u = dr.select(next_row, 0, u)
+        v = dr.select(next_row, v + 1, v)
+        next_level = v > (plane.v.last >> shift) - (plane.v.first >> shift)
+        v = dr.select(next_level, 0, v)
+        return dr.select(next_level, level + 1, level), u, v, first
+
+    @staticmethod
+    def _code(at: Place) -> Any:
+        """A place in 32 bits. A patch touches up to about a hundred cells of a level."""
+        level, u, v, first = (mi.UInt32(x) for x in at)
+        return u | (v << 10) | (first << 20) | (level << 26)
+
+    @staticmethod
+    def _place_of(code: Any) -> Place:
+        fields = (code >> 26, code & 1023, (code >> 10) & 1023, (code >> 20) & 63)
+        level, u, v, first = (mi.Int32(x) for x in fields)
+        return level, u, v, first
+
+    # Flakes of a batch
+
+    def _enter(self, plane: Plane, at: Place) -> Batch:
+        field = self.field
+        level, u, v, first = at
+        key = self._of(level, [mi.UInt64(k) for k in field.key])
+        key = u64(key + u64(mi.UInt64(plane.side) * mi.UInt64(GOLDEN)))
+        shift = 2 * level
+        cell_u, cell_v = (plane.u.first >> shift) + u, (plane.v.first >> shift) + v
+        key = mix_bits(key ^ (u64(mi.UInt64(_bits(cell_v)) << 32) | mi.UInt64(_bits(cell_u))))
+        high_key = mi.UInt32(key >> 32)
+        draw = unit_float(high_key)
+        number = mi.Int32(0)
+        for bound in field.cumulative:
+            number += dr.select(draw >= bound, mi.Int32(1), mi.Int32(0))
+        finest = field.cell_mm[0]
+        size = mi.Float(mi.Int32(1) << shift) * finest
+
+        def corner(axis: Axis, cell: Any) -> Float:
+            return axis.corner + mi.Float((cell << shift) - axis.first) * finest
+
+        corner_u, corner_v = corner(plane.u, cell_u), corner(plane.v, cell_v)
+        grain = size * 2.0**-16
+        return Batch(
+            first=first,
+            number=number,
+            low_key=mi.UInt32(u64(key) & 0xFFFFFFFF),
+            high_key=high_key,
+            corner=plane.u.step * corner_u + plane.v.step * corner_v,
+            step_u=plane.u.step * grain,
+            step_v=plane.v.step * grain,
+            turn=plane.turn,
+            kept=plane.kept,
+            weight=self._of(level, self.levels.weight),
+        )
+
+    def _place(self, b: Batch, n: Any) -> tuple[Any, Any, Float, Float, Float]:
+        """Bits, centre in the plane of the patch, and diameter of the flake n of a batch."""
+        step = u32(mi.UInt32(b.first + (n + 1)) * mi.UInt32(SHORT_GOLDEN))
+        place = mix_bits_32(u32(b.low_key + step))
+        kind = mix_bits_32(u32(b.high_key + step))
+        grains_u, grains_v = mi.Float(place & 0xFFFF), mi.Float(place >> 16)
+        at = b.corner + b.step_u * grains_u + b.step_v * grains_v
+        return place, kind, at.x, at.y, self.field.diameter(kind)
+
+    def _flake(self, b: Batch, n: Any) -> Flake:
+        place, kind, x, y, diameter = self._place(b, n)
+        s, t = gaussian_slopes(place, kind)
+        alpha, turn = self.field.alpha, b.turn
+        slope = mi.Vector2f(alpha * (turn.x * s - turn.y * t), alpha * (turn.y * s + turn.x * t))
+        lobe_radius = self.levels.widening * (self.field.radius_um / diameter)
+        return Flake(place, kind, x, y, 0.5e-3 * diameter, b.weight, slope, lobe_radius)
+
+    def _weight(self, f: Flake) -> Float:
+        """What draw() takes a flake by: what it shares with the patch, roughly."""
+        return f.weight * self.outline.rough_overlap(f.x, f.y, f.radius_mm)
+
+    def _weights(self, b: Batch) -> list[Float]:
+        """Of each flake of a batch; 0 of those that do not touch the patch.
+
+        They do not wait for each other, as processors work on several chains of operations at a
+        time.
+        """
+        weights = []
+        for n in range(BATCH):
+            _, kind, x, y, diameter = self._place(b, n)
+            there = (b.first + n < b.number) & (mi.Float(kind & 0xFFFF) < b.kept)
+            weight = b.weight * self.outline.rough_overlap(x, y, 0.5e-3 * diameter)
+            weights.append(dr.select(there, weight, 0))
+        return weights
+
+    # What others ask for
+
+    def start(self, active: Any) -> Round:
+        """Before the first round."""
+        seen = mi.Bool(active) & (self.levels.resolved > 0)
+        return Round(
+            plane=mi.Int32(0),
+            codes=[mi.UInt32(0) for _ in range(KEPT)],
+            flakes=mi.UInt64(0),
+            next_plane=dr.select(seen, self._next_plane(mi.Int32(-1)), NO_PLANE),
+            next_place=self.first_place,
+            total=mi.Float(0),
+            drawn=mi.UInt32(0),
+            drawn_plane=mi.Int32(0),
+        )
+
+    def _collect(self, before: Round, random: Any = None) -> Round:
+        """The next batches, of one plane.
+
+        random: 32 bits, by which a batch is drawn on the way; None: none
+        """
+        plane = self._plane(before.next_plane)
+        more = before.next_plane < NO_PLANE
+
+        def look(at: Place, count: Any, kept: Round) -> Any:
+            batch = self._enter(plane, at)
+            weights = self._weights(batch)
+            here = sum(weights[1:], start=weights[0])
+            bits = mi.UInt32(0)
+            for n, weight in enumerate(weights):
+                bits |= dr.select(weight > 0, mi.UInt32(1 << n), mi.UInt32(0))
+            code, total = self._code(at), kept.total + here
+            kept.codes = [dr.select(count == n, code, c) for n, c in enumerate(kept.codes)]
+            kept.flakes |= mi.UInt64(bits) << mi.UInt64(BATCH * count)
+            if random is not None:
+                # Each takes the place of those before with the probability of its part of the sum.
+                key = u32(random + code * mi.UInt32(SHORT_GOLDEN)) ^ mi.UInt32(before.next_plane)
+                take = unit_fraction(mix_bits_32(key)) * total < here
+                kept.drawn = dr.select(take, code, kept.drawn)
+                kept.drawn_plane = dr.select(take, before.next_plane, kept.drawn_plane)
+            kept.total = total
+            count = dr.select(bits != 0, count + 1, count)
+            return self._next_place(plane, at, batch.number), count, kept
+
+        kept: Round
+        at, _, kept = dr.while_loop(
+            (
+                before.next_place,
+                mi.UInt32(0),
+                replace(before, plane=before.next_plane, flakes=mi.UInt64(0)),
+            ),
+            lambda at, count, kept: more & (at[0] < self.finest) & (count < KEPT),
+            look,
+        )
+        # Behind the last place of a plane, the first of the next one.
+        done = at[0] >= self.finest
+        places = [dr.select(done, a, b) for a, b in zip(self.first_place, at, strict=True)]
+        next_plane = dr.select(done, self._next_plane(kept.next_plane), kept.next_plane)
+        return replace(kept, next_plane=next_plane, next_place=tuple(places))
+
+    def draw(self, active: Any, random: Any) -> tuple[Flake, Float, Round]:
+        """One of the flakes that touch the patch, by what it shares with it; the sum of what all
+        share, of which each has its part as its probability; and the first round of visit().
+
+        random: 32 bits
+        """
+
+        def next_round(found: Round, first: Round, is_first: Any) -> tuple[Round, Round, Any]:
+            found = self._collect(found, random)
+            return found, dr.select(is_first, found, first), mi.Bool(False)
+
+        found, first, _ = dr.while_loop(
+            (self.start(active), self.start(False), mi.Bool(True)),
+            lambda found, first, is_first: found.next_plane < NO_PLANE,
+            next_round,
+        )
+        batch = self._enter(self._plane(found.drawn_plane), self._place_of(found.drawn))
+        n = self._choice(unit_float(mix_bits_32(random)), self._weights(batch))
+        return self._flake(batch, n), found.total, first
+
+    def visit(
+        self,
+        first: Round,
+        accept: Callable[[Flake], Any],
+        answer: Callable[[Flake, Float, Any], Any],
+        answered: Any,
+    ) -> tuple[Any, Float]:
+        """Goes through the flakes that touch the patch (FlakeField::look()).
+
+        answered = answer(flake, weight, answered) for those that accept(flake) lets pass; weight:
+        by which draw() takes this flake. Returned with it is the sum of the weights of all.
+
+        first: of draw(), or start()
+
+        Samples that are worked on together wait for each other wherever they loop, and most cells
+        have no flake that touches the patch, most flakes do not pass. So batches that have some are
+        collected first, then the flakes that pass, and what is costly comes last.
+        """
+
+        def next_round(found: Round, answered: Any) -> Any:
+            plane = self._plane(found.plane)
+
+            def flake_of(flakes: Any) -> Flake:
+                """The first of them."""
+                n = mi.UInt32(first_bit(flakes))
+                place = self._place_of(self._of(n // BATCH, found.codes))
+                return self._flake(self._enter(plane, place), mi.Int32(n % BATCH))
+
+            def consider(flakes: Any, accepted: Any) -> Any:
+                others = flakes & (flakes - 1)
+                passes = accept(flake_of(flakes))
+                return others, accepted | dr.select(passes, flakes ^ others, mi.UInt64(0))
+
+            def take(flakes: Any, answered: Any) -> Any:
+                flake = flake_of(flakes)
+                return flakes & (flakes - 1), answer(flake, self._weight(flake), answered)
+
+            def some(flakes: Any, state: Any) -> Any:
+                return flakes != 0
+
+            _, accepted = dr.while_loop((found.flakes, mi.UInt64(0)), some, consider)
+            _, answered = dr.while_loop((accepted, answered), some, take)
+            return self._collect(found), answered
+
+        found, answered = dr.while_loop(
+            (first, answered),
+            lambda found, answered: (found.next_plane < NO_PLANE) | (found.flakes != 0),
+            next_round,
+        )
+        return answered, found.total
+
+
+def _bits(x: Any) -> Any:
+    """The two's complement of an integer, in 32 bits."""
+    return x & 0xFFFFFFFF if mi.Float is float else mi.UInt32(x)
