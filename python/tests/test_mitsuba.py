@@ -192,6 +192,31 @@ def ball(paint: Path | nacre.Paint, distance: float, **settings: Any) -> Any:
     )  # fmt: skip
 
 
+def test_scalar_variants_draw_the_same_flakes(paints: Path) -> None:
+    def drawn(x: Any, y: Any, z: Any) -> Array:
+        """A sample of a single flake, its density and weight, where a camera sees a ball."""
+        scene = ball(paints / "ruby.toml", 900, footprint=0.01)
+        plugin.attach(scene)
+        (surface,) = (shape.bsdf() for shape in scene.shapes())
+        ray = mi.Ray3f(mi.Point3f(0, -900, 0), dr.normalize(mi.Vector3f(x, y + 900, z)))
+        ray.wavelengths = mi.UnpolarizedSpectrum(*NODES)
+        si = scene.ray_intersect(ray)
+        sample, weight = surface.sample(
+            mi.BSDFContext(), si, mi.Float(0.93), mi.Point2f(0.3, 0.6), True
+        )
+        numbers = [*sample.wo, sample.pdf, *weight]
+        dr.eval(numbers)
+        return np.array([np.array(n).ravel() for n in numbers]).T
+
+    x, z = np.random.default_rng(5).uniform(-20, 20, (2, 6))
+    places = np.stack([x, -np.sqrt(50**2 - x * x - z * z), z])
+    compiled = drawn(*(mi.Float(single(p)) for p in places))
+    assert np.std(compiled[:, 3]) > 0.3 * np.mean(compiled[:, 3])  # they are not one lobe's
+    mi.set_variant("scalar_spectral")
+    scalar = np.concatenate([drawn(*map(float, place)) for place in places.T])
+    assert disagreement(scalar, compiled) < 1e-3
+
+
 @pytest.mark.parametrize(
     ("name", "shown", "angle"),
     [

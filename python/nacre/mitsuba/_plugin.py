@@ -7,13 +7,14 @@ from typing import Any
 
 import drjit as dr
 import mitsuba as mi
+import numpy as np
 
 from .. import _nacre
 from .._errors import SettingError
 from .._model import Model
 from .._paint import Paint
 from ._bands import Bands, Source, Tangent
-from ._bits import no
+from ._bits import SHORT_GOLDEN, no, u32
 from ._flakes import Sparkle, SparkleModel
 from ._microflake import MeanFlakes, Microflake, Pair
 from ._patch import Footprint
@@ -40,8 +41,8 @@ def _paint_of(props: Any) -> Paint:
 def random_bits(u: Any) -> Any:
     """32 bits of a number in [0, 1)."""
     if mi.Float is float:
-        return int(u * 2**32) & 0xFFFFFFFF
-    return dr.reinterpret_array(mi.UInt32, u) * mi.UInt32(0x9E3779B9)
+        return u32(int(np.float32(u).view(np.uint32)) * SHORT_GOLDEN)
+    return dr.reinterpret_array(mi.UInt32, u) * mi.UInt32(SHORT_GOLDEN)
 
 
 class Camera:
