@@ -134,9 +134,12 @@ std::vector<std::string> keys_of_setting(const paint::Recipe& recipe, const std:
     const std::vector<std::string> tables = paint::keys_of_new<paint::Recipe>();
     try {
         const TomlPath path = parse_toml_path(pattern);
+        const std::string& table = std::get<std::string>(path.at(0));
+        const bool is_list = std::ranges::any_of(
+            keys, [&](const std::string& key) { return key.starts_with(table + "["); });
         // Of tables that the recipe may have: its reader knows their keys.
-        if (path.size() > 1 &&
-            std::ranges::find(tables, std::get<std::string>(path[0])) != tables.end()) {
+        if (path.size() > 1 && std::ranges::find(tables, table) != tables.end() &&
+            is_list == std::holds_alternative<std::size_t>(path[1])) {
             return {pattern};
         }
     } catch (const DomainError&) {  // is no path either

@@ -223,6 +223,11 @@ TEST(RecipeSettings, ComplaintsNameKeyValueAndRange) {
     EXPECT_THAT(refused("alhpa", "0.3"), AllOf(StartsWith("alhpa=0.3: is not a key of this recipe"),
                                                HasSubstr("did you mean")));
     EXPECT_THAT(refused("thickness_nm", "3"), HasSubstr("may mean"));
+    for (const char* key : {"layer.0.thickness_um", "layer.thickness_um", "substrate[0].x"}) {
+        EXPECT_THAT(refused(key, "3"), HasSubstr("is not a key of this recipe")) << key;
+    }
+    EXPECT_THAT(refused("layer.0.thickness_um", "3"),
+                HasSubstr("did you mean 'layer[0].thickness_um'"));
     EXPECT_THAT(refused("layer[3].thickness_um", "3"), HasSubstr("layer[3]"));
     EXPECT_THAT(refused("substrate.reflectence", "0.3"), HasSubstr("did you mean 'reflectance'"));
     EXPECT_THAT(refused("coats[0].material", "TiO3"), HasSubstr("material = 'TiO3'"));
