@@ -217,6 +217,41 @@ def test_scalar_variants_draw_the_same_flakes(paints: Path) -> None:
     assert disagreement(scalar, compiled) < 1e-3
 
 
+def test_both_sides_of_a_wrapped_paint_show_its_flakes(paints: Path) -> None:
+    paint = {"type": "nacre", "recipe": str(paints / "red-gold.toml")}
+    places = np.random.default_rng(4).uniform(-0.5, 0.5, (2, 12))
+
+    def seen(bsdf: dict[str, Any], side: float) -> Array:
+        """Values where a camera sees a panel, which mirrors a little beside it."""
+        look_at = mi.ScalarTransform4f().look_at
+        scene = mi.load_dict(
+            {
+                "type": "scene",
+                "sensor": {
+                    "type": "perspective",
+                    "fov": 10,
+                    "to_world": look_at([0, -30, 100 * side], [0, 0, 0], [1, 0, 0]),
+                    "film": {"type": "hdrfilm", "width": 32, "height": 32},
+                },
+                "panel": {"type": "rectangle", "bsdf": bsdf},
+            }
+        )
+        plugin.attach(scene)
+        x, y = (mi.Float(single(p)) for p in places)
+        ray = mi.Ray3f(
+            mi.Point3f(0, -30, 100 * side), dr.normalize(mi.Vector3f(x, y + 30, -100 * side))
+        )
+        ray.wavelengths = mi.UnpolarizedSpectrum(*NODES)
+        si = scene.ray_intersect(ray)
+        mirrored = dr.normalize(mi.Vector3f(0, 0.37, side))
+        value = si.bsdf().eval(mi.BSDFContext(), si, si.to_local(mirrored), True)
+        return np.array(value).T
+
+    front = seen(paint, 1)
+    assert np.std(front[:, 3]) > 0.3 * np.mean(front[:, 3])  # it sparkles
+    assert disagreement(seen({"type": "twosided", "nested": paint}, -1), front) < 1e-3
+
+
 @pytest.mark.parametrize(
     ("name", "shown", "angle"),
     [
@@ -460,6 +495,13 @@ def test_wrong_settings_are_named(paints: Path, tmp_path: Path) -> None:
     scene = mi.load_dict({"type": "scene", "ball": {"type": "sphere"}})
     with pytest.raises(nacre.SettingError, match="no shape has"):
         plugin.attach(scene, sensor=None)
+
+
+@pytest.mark.parametrize("variant", ["llvm_ad_mono", "scalar_spectral_polarized"])
+def test_variants_without_paints_are_named(paints: Path, variant: str) -> None:
+    mi.set_variant(variant)
+    with pytest.raises(Exception, match=f"variant {variant}: has no paints"):
+        mi.load_dict({"type": "nacre", "recipe": str(paints / "ruby.toml")})
 
 
 def test_llvm_is_chosen_before_it_aborts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

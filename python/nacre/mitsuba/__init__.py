@@ -1,4 +1,4 @@
-"""Nacre's paints in Mitsuba 3: importing this registers the BSDF `nacre` in every variant.
+"""Nacre's paints in Mitsuba 3: importing this registers the BSDF `nacre`.
 
 >>> import mitsuba as mi
 >>> mi.set_variant("llvm_ad_spectral")
@@ -44,10 +44,33 @@ def _register(_before: str | None = None, variant: str | None = None) -> None:
     if not variant:
         return
     if "mono" in variant or "polarized" in variant:
-        return  # where there is no such BSDF, Mitsuba says so
+
+        def refuse(_props: Any) -> Any:
+            raise SettingError(
+                f"variant {variant}: has no paints; they need one of spectra or RGB, as "
+                "llvm_ad_spectral or llvm_ad_rgb, without polarisation"
+            )
+
+        mi.register_bsdf("nacre", refuse)
+        return
     from ._plugin import make_plugin
 
     mi.register_bsdf("nacre", make_plugin())
+
+
+def _paints_in(bsdf: Any) -> list[Any]:
+    """It, or those that it wraps, as twosided, mask and bumpmap do."""
+    if hasattr(bsdf, "attach"):
+        return [bsdf]
+    found: list[Any] = []
+
+    class Children(mi.TraversalCallback):  # type: ignore[misc]
+        def put(self, _name: str, value: Any, _flags: int) -> None:
+            if isinstance(value, mi.BSDF):
+                found.extend(_paints_in(value))
+
+    bsdf.traverse(Children())
+    return found
 
 
 def attach(scene: Any, sensor: int | Any = 0) -> None:
@@ -77,17 +100,15 @@ def attach(scene: Any, sensor: int | Any = 0) -> None:
     chosen = scene.sensors()[sensor] if isinstance(sensor, int) else sensor
     places: dict[int, tuple[Any, Any]] = {}
     for shape in scene.shapes():
-        bsdf = shape.bsdf()
-        if not hasattr(bsdf, "attach"):
-            continue
         rest = rest_of(shape)
-        known = places.get(id(bsdf))
-        if known is not None and not bsdf.own_rest and known[1] != rest:
-            raise SettingError(
-                "one paint lies on several shapes that were moved differently: give each a BSDF of "
-                "its own, or the paint a to_rest"
-            )
-        places[id(bsdf)] = (bsdf, rest)
+        for bsdf in _paints_in(shape.bsdf()):
+            known = places.get(id(bsdf))
+            if known is not None and not bsdf.own_rest and known[1] != rest:
+                raise SettingError(
+                    "one paint lies on several shapes that were moved differently: give each a "
+                    "BSDF of its own, or the paint a to_rest"
+                )
+            places[id(bsdf)] = (bsdf, rest)
     if not places:
         raise SettingError("scene: no shape has the BSDF nacre")
     for bsdf, rest in places.values():

@@ -224,10 +224,11 @@ def make_plugin() -> Any:
                 edge(camera.right),
                 edge(camera.up),
             )
-            # What is not seen by the camera itself gets the mean.
-            towards = -dr.normalize(q)
+            # What is not seen by the camera itself gets the mean; twosided turns wi to the front.
+            towards = si.to_local(-dr.normalize(q))
+            towards = mi.Vector3f(towards.x, towards.y, dr.abs(towards.z))
             slack = 1e-5 + camera.aperture / dr.maximum(depth, 1e-20)
-            seen = dr.norm(si.to_world(si.wi) - towards) < slack
+            seen = dr.norm(si.wi - towards) < slack
             return Sparkle(self.sparkle, patch, i, active, seen)
 
         # mi.BSDF
