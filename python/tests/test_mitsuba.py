@@ -1,4 +1,4 @@
-"""Paints in Mitsuba 3 against Nacre: values, flakes, sampling, pictures, gradients."""
+"""Paints in Mitsuba 3 against Nacre: values, flakes, sampling, scenes."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 import nacre
 
@@ -18,15 +17,13 @@ pytest.importorskip("mitsuba", reason="Mitsuba is not installed here")
 import mitsuba as mi
 import nacre.mitsuba as plugin
 from mitsuba_backends import BACKENDS
+from mitsuba_surfaces import NODES, Array, bsdf, directions, disagreement, interaction, vectors
 from nacre.mitsuba import _library
 from nacre.mitsuba._bands import single
 from nacre.mitsuba._flakes import Sparkle
 from nacre.mitsuba._patch import Footprint
 
 dr = pytest.importorskip("drjit")
-
-Array = NDArray[np.float64]
-NODES = [410.0, 490.0, 560.0, 630.0]
 
 
 @pytest.fixture(autouse=True, params=BACKENDS)
@@ -35,43 +32,6 @@ def backend(request: pytest.FixtureRequest) -> Iterator[str]:
     mi.set_variant(f"{backend}_ad_spectral")
     yield backend
     mi.set_variant(f"{backend}_ad_spectral")
-
-
-def directions(count: int) -> tuple[Array, Array]:
-    """Pairs of them, half near the mirror direction."""
-    rng = np.random.default_rng(7)
-
-    def upwards(n: int) -> Array:
-        z, phi = rng.uniform(0.1, 1, n), rng.uniform(0, 2 * np.pi, n)
-        s = np.sqrt(1 - z * z)
-        return np.stack([s * np.cos(phi), s * np.sin(phi), z], axis=-1)
-
-    wi, wo = upwards(count), upwards(count)
-    near = wi[::2] * [-1, -1, 1] + rng.normal(0, 0.1, (len(wi[::2]), 3))
-    near[:, 2] = np.abs(near[:, 2]) + 0.01
-    wo[::2] = near / np.linalg.norm(near, axis=-1, keepdims=True)
-    return wi, wo
-
-
-def vectors(w: Array) -> Any:
-    return mi.Vector3f(*[mi.Float(single(x)) for x in w.T])
-
-
-def interaction(wi: Array, wavelengths: list[float]) -> Any:
-    si = dr.zeros(mi.SurfaceInteraction3f, len(wi))
-    si.wi = vectors(wi)
-    si.sh_frame = mi.Frame3f(mi.Vector3f(0, 0, 1))
-    if mi.is_spectral:
-        si.wavelengths = mi.UnpolarizedSpectrum(*wavelengths)
-    return si
-
-
-def bsdf(recipe: Path, **settings: Any) -> Any:
-    return mi.load_dict({"type": "nacre", "recipe": str(recipe), **settings})
-
-
-def disagreement(got: Array, want: Array) -> float:
-    return float(np.max(np.abs(got - want) / (np.abs(want) + 1e-3 * np.max(np.abs(want)))))
 
 
 WAVY = "effect-pigments/aluminium-corn-flake"
@@ -343,98 +303,6 @@ def test_pictures_with_and_without_flakes_have_one_mean(
     error = np.hypot(a.std(axis=0), b.std(axis=0)) / np.sqrt(len(a))
     assert np.all(np.abs(a.mean(axis=0) - b.mean(axis=0)) < 4 * error)
     assert b.std() > grainier * a.std()
-
-
-THICKNESS, AMOUNT, ALPHA = "coats[0].thickness_nm", "volume_fraction", "orientation.alpha"
-
-
-@pytest.mark.parametrize(
-    ("name", "model", "key"),
-    [
-        ("tio2-mica-80", "microflake", THICKNESS),
-        ("tio2-mica-80", "microflake", AMOUNT),
-        ("tio2-mica-80", "microflake", ALPHA),
-        ("tio2-mica-80", "nacre", AMOUNT),
-        ("satin-silver", "nacre", ALPHA),
-    ],
-)
-def test_gradients_are_those_of_finite_differences(
-    paints: Path, name: str, model: str, key: str
-) -> None:
-    recipe = paints / f"{name}.toml"
-    wi, wo = directions(50)
-    paint = nacre.Paint(recipe)
-    step = 0.02 * paint[key]
-
-    def values(at: float) -> Array:
-        changed = paint.with_values({key: at})
-        return np.asarray(changed.brdf(wi, wo, NODES, model=model, as_rendered=True) * wo[:, 2:])
-
-    want = (values(paint[key] + step) - values(paint[key] - step)) / (2 * step)
-    surface = bsdf(recipe, model=model, differentiate=key)
-    params = mi.traverse(surface)
-    assert key in params
-    dr.enable_grad(params[key])
-    params.update()
-    si = interaction(wi, NODES)
-    value = surface.eval(mi.BSDFContext(), si, vectors(wo))
-    dr.forward_from(params[key])
-    got = np.array(dr.grad(value)).T
-    assert np.max(np.abs(got - want)) < 0.03 * np.max(np.abs(want))
-    assert np.median(np.abs(got - want)) < 0.01 * np.median(np.abs(want))
-
-
-def test_gradients_flow_from_a_picture_to_the_recipe(paints: Path) -> None:
-    """Of the mean of a picture by three keys at once; differences of pictures of the same random
-    numbers have no noise of their own."""
-    keys = (THICKNESS, AMOUNT, ALPHA)
-    scene = mi.load_dict(
-        {
-            "type": "scene",
-            "integrator": {"type": "direct", "emitter_samples": 1, "bsdf_samples": 0},
-            "sensor": {
-                "type": "perspective",
-                "fov": 12,
-                "to_world": mi.ScalarTransform4f().look_at([0, -400, 0], [0, 0, 0], [0, 0, 1]),
-                "film": {"type": "hdrfilm", "width": 8, "height": 8},
-            },
-            "ball": {
-                "type": "sphere",
-                "radius": 40.0,
-                "bsdf": {
-                    "type": "nacre",
-                    "recipe": str(paints / "tio2-mica-80.toml"),
-                    "model": "microflake",
-                    "differentiate": ", ".join(keys),
-                },
-            },
-            "sky": {"type": "constant", "radiance": {"type": "d65"}},
-        }
-    )
-    params = mi.traverse(scene)
-    known = list(params.keys())
-    names = {key: next(n for n in known if n.endswith(key)) for key in keys}
-    seed = 3
-
-    def mean_at(name: str, value: Any) -> float:
-        params[name] = mi.Float(value)
-        params.update()
-        return float(np.array(mi.render(scene, spp=64, seed=seed)).mean())
-
-    want = {}
-    for key, name in names.items():
-        was = float(dr.slice(params[name]))
-        low, high = 0.99 * was, 1.01 * was
-        want[key] = (mean_at(name, high) - mean_at(name, low)) / (high - low)
-        params[name] = mi.Float(was)
-    for name in names.values():
-        dr.enable_grad(params[name])
-    params.update()
-    picture = mi.render(scene, params, spp=64, seed=seed + 1, seed_grad=seed)
-    dr.backward(dr.mean(picture, axis=None))
-    for key, name in names.items():
-        got = float(dr.slice(dr.grad(params[name])))
-        assert got == pytest.approx(want[key], rel=5e-3), key
 
 
 @pytest.mark.parametrize("size", [1, 7, 16, 1000])

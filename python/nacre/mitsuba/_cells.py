@@ -122,7 +122,7 @@ class Cells:
     def _choice(u: Float, weights: Sequence[Float]) -> Any:
         """The number of a weight, by their parts of the sum; never of one that is 0 where any is
         not."""
-        total = sum(weights[1:], start=weights[0])
+        total = sum(weights, start=mi.Float(0))
         chosen, before = mi.Int32(0), mi.Float(0)
         for n, weight in enumerate(weights):
             chosen = dr.select((weight > 0) & (u * total >= before), n, chosen)
@@ -256,7 +256,7 @@ class Cells:
         def look(at: Place, count: Any, kept: Round) -> Any:
             batch = self._enter(plane, at)
             weights = self._weights(batch)
-            here = sum(weights[1:], start=weights[0])
+            here = sum(weights, start=mi.Float(0))
             bits = mi.UInt32(0)
             for n, weight in enumerate(weights):
                 bits |= dr.select(weight > 0, mi.UInt32(1 << n), mi.UInt32(0))
@@ -265,6 +265,7 @@ class Cells:
             kept.flakes |= mi.UInt64(bits) << mi.UInt64(BATCH * count)
             if random is not None:
                 # Each takes the place of those before with the probability of its part of the sum.
+                #                                                                   [chao-1982]
                 key = u32(random + code * mi.UInt32(SHORT_GOLDEN)) ^ mi.UInt32(before.next_plane)
                 take = unit_fraction(mix_bits_32(key)) * total < here
                 kept.drawn = dr.select(take, code, kept.drawn)
