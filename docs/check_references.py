@@ -17,6 +17,7 @@ KEY = r"[a-z][a-z0-9]*(?:-[a-z0-9]+)*-(?:1[6-9]|20)[0-9]{2}(?:-[a-z0-9]+)*"
 BRACKET = re.compile(r"\[([^\[\]]+)\](?!\()")  # not the text of a Markdown link
 STARTS_WITH_KEY = re.compile(rf"\s*({KEY})\s*(?:,.*)?$", re.DOTALL)
 COMMENT_MARKER = re.compile(r"\n\s*(?://[/!]?<?|#|\*)")
+FOLDERS = ("src", "bench", "fuzz", "python", "docs", "paints", "data", "studies", "scenes")
 FIELDS = {  # what a reader needs to find the work
     "article": {"author", "title", "journal", "year"},
     "inproceedings": {"author", "title", "booktitle", "year"},
@@ -93,7 +94,7 @@ def main():
     messages = [f"{bibliography.relative_to(root)}:{line}: {text}" for line, text in problems]
 
     cited, files = {}, 0
-    for folder in ("src", "bench", "fuzz", "docs", "paints", "data", "studies", "scenes"):
+    for folder in FOLDERS:
         for path in sorted((root / folder).rglob("*")):
             if path.suffix not in {".h", ".cpp", ".md", ".toml", ".py"}:
                 continue
