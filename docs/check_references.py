@@ -17,7 +17,9 @@ KEY = r"[a-z][a-z0-9]*(?:-[a-z0-9]+)*-(?:1[6-9]|20)[0-9]{2}(?:-[a-z0-9]+)*"
 BRACKET = re.compile(r"\[([^\[\]]+)\](?!\()")  # not the text of a Markdown link
 STARTS_WITH_KEY = re.compile(rf"\s*({KEY})\s*(?:,.*)?$", re.DOTALL)
 COMMENT_MARKER = re.compile(r"\n\s*(?://[/!]?<?|#|\*)")
-FOLDERS = ("src", "bench", "fuzz", "python", "docs", "paints", "data", "studies", "scenes")
+FOLDERS = ("src", "bench", "fuzz", "python", "web", "docs", "paints", "data", "studies", "scenes")
+SUFFIXES = {".h", ".cpp", ".glsl", ".md", ".toml", ".py", ".ts"}
+NOT_OURS = {"testdata", "node_modules"}
 FIELDS = {  # what a reader needs to find the work
     "article": {"author", "title", "journal", "year"},
     "inproceedings": {"author", "title", "booktitle", "year"},
@@ -96,9 +98,9 @@ def main():
     cited, files = {}, 0
     for folder in FOLDERS:
         for path in sorted((root / folder).rglob("*")):
-            if path.suffix not in {".h", ".cpp", ".md", ".toml", ".py"}:
+            if path.suffix not in SUFFIXES or not path.is_file():
                 continue
-            if "testdata" in path.relative_to(root).parts or path == here:
+            if NOT_OURS.intersection(path.relative_to(root).parts) or path == here:
                 continue
             files += 1
             for line, key in citations(path.read_text(encoding="utf-8")):
