@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -177,11 +177,11 @@ def test_scalar_variants_draw_the_same_flakes(paints: Path) -> None:
     assert disagreement(scalar, compiled) < 1e-3
 
 
-def test_both_sides_of_a_wrapped_paint_show_its_flakes(paints: Path) -> None:
+def test_both_sides_of_a_wrapped_paint_show_its_flakes_and_instances_too(paints: Path) -> None:
     paint = {"type": "nacre", "recipe": str(paints / "red-gold.toml")}
     places = np.random.default_rng(4).uniform(-0.5, 0.5, (2, 12))
 
-    def seen(bsdf: dict[str, Any], side: float) -> Array:
+    def seen(panel: dict[str, Any], side: float, instanced: Sequence[Any] = ()) -> Array:
         """Values where a camera sees a panel, which mirrors a little beside it."""
         look_at = mi.ScalarTransform4f().look_at
         scene = mi.load_dict(
@@ -193,10 +193,10 @@ def test_both_sides_of_a_wrapped_paint_show_its_flakes(paints: Path) -> None:
                     "to_world": look_at([0, -30, 100 * side], [0, 0, 0], [1, 0, 0]),
                     "film": {"type": "hdrfilm", "width": 32, "height": 32},
                 },
-                "panel": {"type": "rectangle", "bsdf": bsdf},
             }
+            | panel
         )
-        plugin.attach(scene)
+        plugin.attach(scene, instanced=instanced)
         x, y = (mi.Float(single(p)) for p in places)
         ray = mi.Ray3f(
             mi.Point3f(0, -30, 100 * side), dr.normalize(mi.Vector3f(x, y + 30, -100 * side))
@@ -207,9 +207,20 @@ def test_both_sides_of_a_wrapped_paint_show_its_flakes(paints: Path) -> None:
         value = si.bsdf().eval(mi.BSDFContext(), si, si.to_local(mirrored), True)
         return np.array(value).T
 
-    front = seen(paint, 1)
+    def panel(bsdf: Any) -> dict[str, Any]:
+        return {"panel": {"type": "rectangle", "bsdf": bsdf}}
+
+    front = seen(panel(paint), 1)
     assert np.std(front[:, 3]) > 0.3 * np.mean(front[:, 3])  # it sparkles
-    assert disagreement(seen({"type": "twosided", "nested": paint}, -1), front) < 1e-3
+    assert disagreement(seen(panel({"type": "twosided", "nested": paint}), -1), front) < 1e-3
+    bsdf = mi.load_dict(paint)
+    instances = {
+        "group": {"type": "shapegroup", **panel(bsdf)},
+        "instance": {"type": "instance", "group": {"type": "ref", "id": "group"}},
+    }
+    with pytest.raises(nacre.SettingError, match="as instanced"):
+        seen(instances, 1)
+    assert disagreement(seen(instances, 1, [bsdf]), front) < 1e-3
 
 
 @pytest.mark.parametrize(

@@ -17,6 +17,7 @@ Needs Mitsuba 3.9 (``pip install nacre[mitsuba]``) and, for its LLVM variants, L
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from typing import Any
 
 from .._errors import Error, SettingError
@@ -73,7 +74,7 @@ def _paints_in(bsdf: Any) -> list[Any]:
     return found
 
 
-def attach(scene: Any, sensor: int | Any = 0) -> None:
+def attach(scene: Any, sensor: int | Any = 0, instanced: Iterable[Any] = ()) -> None:
     """Shows the single flakes of the paints in a scene, as a camera sees them.
 
     A sample shows the flakes on its share of a pixel, for which it must know how large a pixel is
@@ -87,6 +88,9 @@ def attach(scene: Any, sensor: int | Any = 0) -> None:
     sensor
         The camera, or its number; perspective or thinlens. Its sampler's number of samples counts:
         after changing it, call this again.
+    instanced
+        BSDFs that lie on shapes of a shapegroup, which a scene does not tell: those objects of
+        mi.load_dict() that its dictionary was given. Their flakes lie still in the world.
 
     Raises
     ------
@@ -109,8 +113,13 @@ def attach(scene: Any, sensor: int | Any = 0) -> None:
                     "BSDF of its own, or the paint a to_rest"
                 )
             places[id(bsdf)] = (bsdf, rest)
+    for bsdf in instanced:
+        for paint in _paints_in(bsdf):
+            places.setdefault(id(paint), (paint, mi.ScalarTransform4f()))
     if not places:
-        raise SettingError("scene: no shape has the BSDF nacre")
+        raise SettingError(
+            "scene: no shape has the BSDF nacre (those of a shapegroup are to be given, as instanced)"
+        )
     for bsdf, rest in places.values():
         bsdf.attach(Camera(chosen, bsdf.footprint), rest)
 
