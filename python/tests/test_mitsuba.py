@@ -20,6 +20,7 @@ from mitsuba_backends import BACKENDS
 from mitsuba_surfaces import NODES, Array, bsdf, directions, disagreement, interaction, vectors
 from nacre.mitsuba import _library
 from nacre.mitsuba._bands import single
+from nacre.mitsuba._cells import BATCH, KEPT
 from nacre.mitsuba._flakes import Sparkle
 from nacre.mitsuba._patch import Footprint
 
@@ -112,9 +113,15 @@ def test_flakes_are_those_of_nacre(paints: Path, name: str, side: float, contras
     surface = bsdf(recipe, specimen=specimen)
     si = interaction(np.tile(wi, (len(places), 1)), NODES)
     where, smooth = surface.table_bands.at(si), surface.smooth
-    i = smooth.ray(si.wi, where, True)
-    o = smooth.ray(mi.Vector3f(*map(float, wo)), where, True)
-    pair = smooth.pair(i, o, where)
+    flakes = flakes_of(surface, si, places, side)
+    pair = smooth.pair(flakes.i, smooth.ray(mi.Vector3f(*map(float, wo)), where, True), where)
+    flakes.start()
+    got = np.array(smooth.value(pair, flakes, True)).T
+    assert disagreement(got, want) < 1e-3
+
+
+def flakes_of(surface: Any, si: Any, places: Array, side: float) -> Sparkle:
+    """Those of squares on a panel."""
     x, y = (mi.Float(single(places[:, n])) for n in range(2))
     patch = Footprint(
         mi.Vector3f(x, y, 0),
@@ -123,10 +130,46 @@ def test_flakes_are_those_of_nacre(paints: Path, name: str, side: float, contras
         mi.Vector3f(side, 0, 0),
         mi.Vector3f(0, side, 0),
     )
-    flakes = Sparkle(surface.sparkle, patch, i, True, True)
-    flakes.start()
-    got = np.array(smooth.value(pair, flakes, True)).T
-    assert disagreement(got, want) < 1e-3
+    i = surface.smooth.ray(si.wi, surface.table_bands.at(si), True)
+    return Sparkle(surface.sparkle, patch, i, True, True)
+
+
+def test_flakes_are_drawn_by_what_they_share(paints: Path) -> None:
+    """So many that they take several rounds."""
+    surface, count = bsdf(paints / "metallic-silver.toml"), 1 << 18
+    si = interaction(np.tile([0.0, 0.0, 1.0], (count, 1)), NODES)
+    (cells,) = flakes_of(surface, si, np.full((count, 2), 3.0), 0.13).cells
+    flake, total = cells.draw(mi.PCG32(size=count).next_uint32())
+    weight = np.array(cells._weight(flake)) / np.array(total)
+    _, first, drawn = np.unique(np.array(flake.place), return_index=True, return_counts=True)
+    expected = count * weight[first]
+    assert abs(expected.sum() - count) < 20  # few are so small that they are never drawn
+    assert len(first) > 2 * BATCH * KEPT
+    chi2 = np.sum((drawn - expected) ** 2 / expected)
+    assert abs(chi2 - len(first)) < 4 * np.sqrt(2 * len(first))
+
+
+def test_what_a_value_found_serves_the_sample(paints: Path) -> None:
+    """Where both are asked by one call, as integrators do, bit by bit the same."""
+    scene, count = ball(paints / "ruby.toml", 300.0), 5000
+    plugin.attach(scene)
+    surface, rng = scene.shapes()[0].bsdf(), mi.PCG32(size=count)
+    u = [rng.next_float32() for _ in range(7)]
+    pixel = mi.Point2f(0.4 + 0.2 * u[0], 0.4 + 0.2 * u[1])
+    ray, _ = scene.sensors()[0].sample_ray(0, 0.5, pixel, mi.Point2f(0.5, 0.5))
+    si = scene.ray_intersect(ray)
+    near = mi.reflect(si.wi) + 0.2 * mi.Vector3f(u[2] - 0.5, u[3] - 0.5, 0)
+    wo = dr.normalize(near)
+    random = u[4], mi.Point2f(u[5], u[6])
+    dr.eval(si, wo, random)
+    asked = mi.BSDFContext(), si
+
+    apart = (*surface.eval_pdf(*asked, wo), *surface.sample(*asked, *random))
+    together = si.bsdf().eval_pdf_sample(*asked, wo, *random)
+    for a, b in zip(apart, together, strict=True):
+        for x, y in ((a.wo, b.wo), (a.pdf, b.pdf)) if hasattr(a, "wo") else ((a, b),):
+            assert np.count_nonzero(np.array(x)) > 0.9 * count
+            np.testing.assert_array_equal(np.array(x), np.array(y))
 
 
 def ball(paint: Path | nacre.Paint, distance: float, **settings: Any) -> Any:

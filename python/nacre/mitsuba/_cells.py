@@ -69,6 +69,8 @@ class Round:
     """Its number."""
     codes: list[Any]
     """Places."""
+    weights: list[Float]
+    """Of the flakes of each, in sum."""
     flakes: Any
     """That touch the patch: a bit each."""
     next_plane: Any
@@ -76,15 +78,14 @@ class Round:
     """Where to look for more."""
     total: Float
     """Of the weights of all flakes, up to there."""
-    drawn: Any
-    """Place of the batch that was drawn from all, up to there."""
-    drawn_plane: Any
 
 
 class Cells:
     """Those whose flakes may touch a patch, plane by plane and level by level."""
 
-    def __init__(self, field: Field, patch: Footprint, outline: Outline, levels: Levels) -> None:
+    def __init__(
+        self, field: Field, patch: Footprint, outline: Outline, levels: Levels, active: Any
+    ) -> None:
         self.field = field
         self.outline = outline
         self.levels = levels
@@ -94,6 +95,8 @@ class Cells:
         for n in range(self.finest - 1):
             level = dr.select((level == n) & (levels.weight[n] <= 0), n + 1, level)
         self.first_place: Place = level, mi.Int32(0), mi.Int32(0), mi.Int32(0)
+        self.seen = active & (levels.resolved > 0)
+        self.first: Round | None = None
 
     # Choices
 
@@ -229,27 +232,22 @@ class Cells:
             weights.append(dr.select(there, weight, 0))
         return weights
 
-    # What others ask for
+    # Round after round
 
-    def start(self, active: Any) -> Round:
+    def _start(self) -> Round:
         """Before the first round."""
-        seen = mi.Bool(active) & (self.levels.resolved > 0)
         return Round(
             plane=mi.Int32(0),
             codes=[mi.UInt32(0) for _ in range(KEPT)],
+            weights=[mi.Float(0) for _ in range(KEPT)],
             flakes=mi.UInt64(0),
-            next_plane=dr.select(seen, self._next_plane(mi.Int32(-1)), NO_PLANE),
+            next_plane=dr.select(self.seen, self._next_plane(mi.Int32(-1)), NO_PLANE),
             next_place=self.first_place,
             total=mi.Float(0),
-            drawn=mi.UInt32(0),
-            drawn_plane=mi.Int32(0),
         )
 
-    def _collect(self, before: Round, random: Any = None) -> Round:
-        """The next batches, of one plane.
-
-        random: 32 bits, by which a batch is drawn on the way; None: none
-        """
+    def _collect(self, before: Round) -> Round:
+        """The next batches, of one plane."""
         plane = self._plane(before.next_plane)
         more = before.next_plane < NO_PLANE
 
@@ -260,17 +258,14 @@ class Cells:
             bits = mi.UInt32(0)
             for n, weight in enumerate(weights):
                 bits |= dr.select(weight > 0, mi.UInt32(1 << n), mi.UInt32(0))
-            code, total = self._code(at), kept.total + here
-            kept.codes = [dr.select(count == n, code, c) for n, c in enumerate(kept.codes)]
-            kept.flakes |= mi.UInt64(bits) << mi.UInt64(BATCH * count)
-            if random is not None:
-                # Each takes the place of those before with the probability of its part of the sum.
-                #                                                                   [chao-1982]
-                key = u32(random + code * mi.UInt32(SHORT_GOLDEN)) ^ mi.UInt32(before.next_plane)
-                take = unit_fraction(mix_bits_32(key)) * total < here
-                kept.drawn = dr.select(take, code, kept.drawn)
-                kept.drawn_plane = dr.select(take, before.next_plane, kept.drawn_plane)
-            kept.total = total
+            code = self._code(at)
+            kept = replace(
+                kept,
+                codes=[dr.select(count == n, code, c) for n, c in enumerate(kept.codes)],
+                weights=[dr.select(count == n, here, w) for n, w in enumerate(kept.weights)],
+                flakes=kept.flakes | (mi.UInt64(bits) << mi.UInt64(BATCH * count)),
+                total=kept.total + here,
+            )
             count = dr.select(bits != 0, count + 1, count)
             return self._next_place(plane, at, batch.number), count, kept
 
@@ -279,7 +274,12 @@ class Cells:
             (
                 before.next_place,
                 mi.UInt32(0),
-                replace(before, plane=before.next_plane, flakes=mi.UInt64(0)),
+                replace(
+                    before,
+                    plane=before.next_plane,
+                    weights=[mi.Float(0) for _ in range(KEPT)],
+                    flakes=mi.UInt64(0),
+                ),
             ),
             lambda at, count, kept: more & (at[0] < self.finest) & (count < KEPT),
             look,
@@ -290,29 +290,70 @@ class Cells:
         next_plane = dr.select(done, self._next_plane(kept.next_plane), kept.next_plane)
         return replace(kept, next_plane=next_plane, next_place=tuple(places))
 
-    def draw(self, active: Any, random: Any) -> tuple[Flake, Float, Round]:
-        """One of the flakes that touch the patch, by what it shares with it; the sum of what all
-        share, of which each has its part as its probability; and the first round of visit().
+    def _each_round(self, use: Callable[[Round, Any], Any], state: Any) -> Any:
+        """state = use(round, state) for all rounds. Most patches have one, which is kept for who asks
+        next.
+
+        Returns state, and the sum of the weights of all flakes.
+        """
+
+        def go_on(found: Round) -> Any:
+            return (found.next_plane < NO_PLANE) | (found.flakes != 0)
+
+        if self.first is not None:
+
+            def next_round(found: Round, state: Any) -> Any:
+                state = use(found, state)
+                return self._collect(found), state
+
+            found, state = dr.while_loop(
+                (self.first, state), lambda found, _: go_on(found), next_round
+            )
+            return state, found.total
+
+        def next_of_all(found: Round, first: Round, is_first: Any, state: Any) -> Any:
+            state = use(found, state)
+            found = self._collect(found)
+            return found, dr.select(is_first, found, first), mi.Bool(False), state
+
+        found, self.first, _, state = dr.while_loop(
+            (self._start(), self._start(), mi.Bool(True), state),
+            lambda found, first, is_first, state: go_on(found),
+            next_of_all,
+        )
+        return state, found.total
+
+    # What others ask for
+
+    def draw(self, random: Any) -> tuple[Flake, Float]:
+        """One of the flakes that touch the patch, by what it shares with it; and the sum of what all
+        share, of which each has its part as its probability.
 
         random: 32 bits
         """
 
-        def next_round(found: Round, first: Round, is_first: Any) -> tuple[Round, Round, Any]:
-            found = self._collect(found, random)
-            return found, dr.select(is_first, found, first), mi.Bool(False)
+        def choose(found: Round, drawn: Any) -> Any:
+            """A batch of this round takes the place of those before with the probability of its part
+            of the sum.                                                             [chao-1982]"""
+            chosen, plane, last = drawn
+            bits = mix_bits_32(u32(last + mi.UInt32(SHORT_GOLDEN)))
+            here = sum(found.weights, start=mi.Float(0))
+            n = self._choice(unit_float(bits), found.weights)
+            take = unit_fraction(mix_bits_32(bits)) * found.total < here
+            chosen = dr.select(take, self._of(n, found.codes), chosen)
+            # Not before the first round.
+            last = dr.select(found.flakes != 0, bits, last)
+            return chosen, dr.select(take, found.plane, plane), last
 
-        found, first, _ = dr.while_loop(
-            (self.start(active), self.start(False), mi.Bool(True)),
-            lambda found, first, is_first: found.next_plane < NO_PLANE,
-            next_round,
+        (chosen, plane, _), total = self._each_round(
+            choose, (mi.UInt32(0), mi.Int32(0), mi.UInt32(random))
         )
-        batch = self._enter(self._plane(found.drawn_plane), self._place_of(found.drawn))
+        batch = self._enter(self._plane(plane), self._place_of(chosen))
         n = self._choice(unit_float(mix_bits_32(random)), self._weights(batch))
-        return self._flake(batch, n), found.total, first
+        return self._flake(batch, n), total
 
     def visit(
         self,
-        first: Round,
         accept: Callable[[Flake], Any],
         answer: Callable[[Flake, Float, Any], Any],
         answered: Any,
@@ -322,14 +363,12 @@ class Cells:
         answered = answer(flake, weight, answered) for those that accept(flake) lets pass; weight:
         by which draw() takes this flake. Returned with it is the sum of the weights of all.
 
-        first: of draw(), or start()
-
         Samples that are worked on together wait for each other wherever they loop, and most cells
         have no flake that touches the patch, most flakes do not pass. So batches that have some are
         collected first, then the flakes that pass, and what is costly comes last.
         """
 
-        def next_round(found: Round, answered: Any) -> Any:
+        def ask(found: Round, answered: Any) -> Any:
             plane = self._plane(found.plane)
 
             def flake_of(flakes: Any) -> Flake:
@@ -352,14 +391,10 @@ class Cells:
 
             _, accepted = dr.while_loop((found.flakes, mi.UInt64(0)), some, consider)
             _, answered = dr.while_loop((accepted, answered), some, take)
-            return self._collect(found), answered
+            return answered
 
-        found, answered = dr.while_loop(
-            (first, answered),
-            lambda found, answered: (found.next_plane < NO_PLANE) | (found.flakes != 0),
-            next_round,
-        )
-        return answered, found.total
+        answered, total = self._each_round(ask, answered)
+        return answered, total
 
 
 def _bits(x: Any) -> Any:

@@ -42,14 +42,13 @@ class Sparkle(MeanFlakes):
             f.levels(outline) for f, outline in zip(model.fields, self.outlines, strict=True)
         ]
         self.cells = [
-            Cells(field, patch, outline, levels)
+            Cells(field, patch, outline, levels, self.active)
             for field, outline, levels in zip(model.fields, self.outlines, self.levels, strict=True)
         ]
         resolved = mi.Float(0)
         for share, levels in zip(model.shares, self.levels, strict=True):
             resolved = dr.fma(share, levels.resolved, resolved)
         self.resolved = dr.select(self.shown, resolved, 0)
-        self.rounds = [c.start(self.active) for c in self.cells]
         # By which draw() takes flakes, in sum; after survey(), or the value of any pair.
         self.total = mi.Float(0)
 
@@ -65,7 +64,7 @@ class Sparkle(MeanFlakes):
         """
         self.total, slope, radius = mi.Float(0), mi.Vector2f(0), mi.Float(1e-3)
         for s, field in enumerate(self.model.fields):
-            flake, total, self.rounds[s] = self.cells[s].draw(self.active, random)
+            flake, total = self.cells[s].draw(random)
             weight = self.model.shares[s] * total
             self.total = self.total + weight
             # As in Cells.draw().
@@ -124,7 +123,6 @@ class Sparkle(MeanFlakes):
             return reflected + dr.select(reaches, light, 0), density + weight * lobe
 
         (reflected, density), total = self.cells[s].visit(
-            self.rounds[s],
             accept,
             answer,
             (model.smooth.bands.constant(0), mi.Float(0)),

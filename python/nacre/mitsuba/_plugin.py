@@ -70,6 +70,16 @@ class Camera:
         self.aperture = radius
 
 
+def _name_of(si: Any, active: Any) -> tuple[int, ...] | None:
+    """Names a place and its ray within the function that is being recorded, where variables that are
+    the same have one index; None outside of one, and where gradients flow."""
+    if not dr.flag(dr.JitFlag.SymbolicScope) or dr.grad_enabled(si):
+        return None
+    vectors = (si.p, si.wi, si.sh_frame.n, si.sh_frame.s, si.wavelengths)
+    scope = dr.detail.scope(dr.backend_v(mi.Float))
+    return (scope, active.index, *(x.index for vector in vectors for x in vector))
+
+
 def make_plugin() -> Any:
     """The class for the variant that is set."""
 
@@ -127,6 +137,7 @@ def make_plugin() -> Any:
             if not 1 <= self.bands <= 256:
                 raise SettingError(f"bands = {self.bands}: must be in [1, 256]")
             self.camera: Camera | None = None
+            self.seen: tuple[tuple[int, ...] | None, Any] = None, None
             keys = [k.strip() for k in str(props.get("differentiate", "")).split(",")]
             self.parameters = {k: mi.Float(self.paint[k]) for k in keys if k}
             self._build()
@@ -273,11 +284,15 @@ def make_plugin() -> Any:
             black = bands.colour(bands.constant(0))
             if not rest and not specular:
                 return black, mi.Float(0), bs, black
-            active = mi.Bool(active) & (si.wi.z > 0)
+            asked = mi.Bool(active)
+            active = asked & (si.wi.z > 0)
             where = bands.at(si)
             up = mi.Vector3f(0, 0, 1)
             i = smooth.ray(dr.select(active, si.wi, up), where, active)
-            flakes = self._flakes(si, i, active) if rest else self.mean
+            # Integrators ask for a value and then for a sample: the cells that were found serve both.
+            name, (seen, flakes), self.seen = _name_of(si, asked), self.seen, (None, None)
+            if name is None or name != seen:
+                flakes = self._flakes(si, i, active) if rest else self.mean
 
             value, density = black, mi.Float(0)
             if wo is not None and rest:
@@ -288,6 +303,7 @@ def make_plugin() -> Any:
                 value = bands.colour(dr.select(lit, dr.maximum(f, 0) * wo.z, 0))
                 density = dr.select(lit, self._density(ctx, pair, flakes), 0)
             if sample1 is None:
+                self.seen = _name_of(si, asked), flakes
                 return value, density, bs, black
 
             if isinstance(flakes, Sparkle):
