@@ -28,8 +28,8 @@ ROUNDING = 1e-5
 the commands in the documentation are held to as many digits, and no change of the physics that is
 worth a new library hides below."""
 BLACK = 1e-12
-"""Of a reflectance factor: the solver's own rounding, kBlackBrdf times its tolerance. Of a bare opaque
-pigment at 110 deg, 8e-9, it is more than the digits above."""
+"""Of a reflectance factor: the solver's own rounding, kBlackBrdf times its tolerance. Of what bare
+opaque flakes reflect at 110 deg, 8e-9, it is more than the digits above."""
 
 
 def test_it_has_every_paint_that_ships() -> None:

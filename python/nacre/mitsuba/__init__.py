@@ -118,7 +118,7 @@ def attach(scene: Any, sensor: int | Any = 0, instanced: Iterable[Any] = ()) -> 
             places.setdefault(id(paint), (paint, mi.ScalarTransform4f()))
     if not places:
         raise SettingError(
-            "scene: no shape has the BSDF nacre (those of a shapegroup are to be given, as instanced)"
+            "scene: no shape has the BSDF nacre (give what lies in a shapegroup, as instanced)"
         )
     for bsdf, rest in places.values():
         bsdf.attach(Camera(chosen, bsdf.footprint), rest)

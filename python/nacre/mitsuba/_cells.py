@@ -291,10 +291,9 @@ class Cells:
         return replace(kept, next_plane=next_plane, next_place=tuple(places))
 
     def _each_round(self, use: Callable[[Round, Any], Any], state: Any) -> Any:
-        """state = use(round, state) for all rounds. Most patches have one, which is kept for who asks
-        next.
+        """state = use(round, state) for all rounds, and the sum of the weights of all flakes.
 
-        Returns state, and the sum of the weights of all flakes.
+        The first round, for most patches the only one, is kept for who asks next.
         """
 
         def go_on(found: Round) -> Any:
@@ -326,15 +325,15 @@ class Cells:
     # What others ask for
 
     def draw(self, random: Any) -> tuple[Flake, Float]:
-        """One of the flakes that touch the patch, by what it shares with it; and the sum of what all
-        share, of which each has its part as its probability.
+        """One of the flakes that touch the patch, by what it shares with it; and the sum of what
+        all share, of which each has its part as its probability.
 
         random: 32 bits
         """
 
         def choose(found: Round, drawn: Any) -> Any:
-            """A batch of this round takes the place of those before with the probability of its part
-            of the sum.                                                             [chao-1982]"""
+            """A batch of this round takes the place of those before with the probability of its
+            part of the sum.                                                        [chao-1982]"""
             chosen, plane, last = drawn
             bits = mix_bits_32(u32(last + mi.UInt32(SHORT_GOLDEN)))
             here = sum(found.weights, start=mi.Float(0))

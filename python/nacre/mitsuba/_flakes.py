@@ -1,8 +1,8 @@
 """Single flakes in Dr.Jit: the same hashed flakes as Nacre's, on the patch that a sample looks at.
 
 What stands here is BoundNacre in src/nacre/bsdf/models/nacre.h. C++ collects the flakes of a patch
-in a list and asks it again and again; here each pair of directions goes through the cells anew
-(_cells.py).
+in a list and asks it again and again; here each pair of directions goes through the flakes anew,
+though not through all cells (_cells.py).
 """
 
 from __future__ import annotations

@@ -71,8 +71,8 @@ class Camera:
 
 
 def _name_of(si: Any, active: Any) -> tuple[int, ...] | None:
-    """Names a place and its ray within the function that is being recorded, where variables that are
-    the same have one index; None outside of one, and where gradients flow."""
+    """Names a place and its ray within the function that is being recorded, where variables that
+    are the same have one index; None outside of one, and where gradients flow."""
     if not dr.flag(dr.JitFlag.SymbolicScope) or dr.grad_enabled(si):
         return None
     vectors = (si.p, si.wi, si.sh_frame.n, si.sh_frame.s, si.wavelengths)
@@ -289,7 +289,8 @@ def make_plugin() -> Any:
             where = bands.at(si)
             up = mi.Vector3f(0, 0, 1)
             i = smooth.ray(dr.select(active, si.wi, up), where, active)
-            # Integrators ask for a value and then for a sample: the cells that were found serve both.
+            # Integrators ask for a value and then for a sample, by one call that Mitsuba makes two:
+            # the cells that were found serve both.
             name, (seen, flakes), self.seen = _name_of(si, asked), self.seen, (None, None)
             if name is None or name != seen:
                 flakes = self._flakes(si, i, active) if rest else self.mean
