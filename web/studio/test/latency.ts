@@ -5,8 +5,8 @@
  *
  *     ./dev studio --latency
  *
- * A series has 30 moves, or as many as the argument of the script says. Which renderer draws is said first
- * (test/program.ts tells how to choose it).
+ * Arguments of the script: [MOVES] [PAINT KEY] [WIDTHxHEIGHT], by default 30 moves of a film of red-gold
+ * in a window of 1280 x 800. Which renderer draws is said first (test/program.ts tells how to choose it).
  */
 
 import assert from "node:assert/strict";
@@ -141,8 +141,6 @@ function report(what: string, values: readonly number[]): void {
     );
 }
 
-const SLIDER = "[data-key='layer[0].flakes[0].coats[0].thickness_nm'] input[type=range]";
-
 type Times = "chips_ms" | "sent_ms" | "numbers_ms" | "begun_ms" | "pictures_ms";
 const TIMES: readonly Times[] = ["chips_ms", "sent_ms", "numbers_ms", "begun_ms", "pictures_ms"];
 
@@ -194,8 +192,8 @@ async function firstPicture(page: Page): Promise<FirstPicture> {
 }
 
 /** Each after all of the one before was seen, or at once on its chips. */
-async function moves(page: Page, count: number): Promise<void> {
-    await page.focus(SLIDER);
+async function moves(page: Page, count: number, key: string): Promise<void> {
+    await page.focus(`[data-key='${key}'] input[type=range]`);
     const chips: number[] = [];
     const pictures: FirstPicture[] = [];
     for (let i = 0; i < count; ++i) {
@@ -242,13 +240,17 @@ async function frames(page: Page, count: number): Promise<void> {
     );
 }
 
-const count = Number(argv[2] ?? 30);
+const FILM = "layer[0].flakes[0].coats[0].thickness_nm";
+const [, , given = "30", paint = "red-gold", key = FILM, size = "1280x800"] = argv;
+const count = Number(given);
 if (!(Number.isInteger(count) && count > 0))
     throw new Error("MOVES: must be a whole number above 0");
-const program = await Program.start("red-gold");
+const [width = NaN, height = NaN] = size.split("x").map(Number);
+if (!(width >= 600 && height >= 400)) throw new Error("WIDTHxHEIGHT: must be 600x400 at least");
+const program = await Program.start(paint);
 const browser = await launch(true);
 try {
-    const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+    const page = await browser.newPage({ viewport: { width, height } });
     page.setDefaultTimeout(900_000); // what never comes is a failure, however slow the machine
     await page.addInitScript(watchDrawing);
     await page.goto(program.url);
@@ -261,7 +263,7 @@ try {
     });
     console.log(`drawn by ${renderer}`);
     await page.waitForTimeout(2000); // shaders are compiled, the first pictures drawn
-    await moves(page, count);
+    await moves(page, count, key);
     await frames(page, count);
     console.log(`load ${(loadavg()[0] as number).toFixed(1)}`);
 } finally {
