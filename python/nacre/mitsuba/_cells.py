@@ -290,7 +290,7 @@ class Cells:
         next_plane = dr.select(done, self._next_plane(kept.next_plane), kept.next_plane)
         return replace(kept, next_plane=next_plane, next_place=tuple(places))
 
-    def _each_round(self, use: Callable[[Round, Any], Any], state: Any) -> Any:
+    def _each_round(self, use: Callable[[Round, Any], Any], state: Any) -> tuple[Any, Float]:
         """state = use(round, state) for all rounds, and the sum of the weights of all flakes.
 
         The first round, for most patches the only one, is kept for who asks next.
@@ -392,8 +392,7 @@ class Cells:
             _, answered = dr.while_loop((accepted, answered), some, take)
             return answered
 
-        answered, total = self._each_round(ask, answered)
-        return answered, total
+        return self._each_round(ask, answered)
 
 
 def _bits(x: Any) -> Any:

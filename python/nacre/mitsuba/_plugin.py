@@ -137,7 +137,7 @@ def make_plugin() -> Any:
             if not 1 <= self.bands <= 256:
                 raise SettingError(f"bands = {self.bands}: must be in [1, 256]")
             self.camera: Camera | None = None
-            self.seen: tuple[tuple[int, ...] | None, Any] = None, None
+            self.last_asked: tuple[tuple[int, ...] | None, Any] = None, None
             keys = [k.strip() for k in str(props.get("differentiate", "")).split(",")]
             self.parameters = {k: mi.Float(self.paint[k]) for k in keys if k}
             self._build()
@@ -291,8 +291,9 @@ def make_plugin() -> Any:
             i = smooth.ray(dr.select(active, si.wi, up), where, active)
             # Integrators ask for a value and then for a sample, by one call that Mitsuba makes two:
             # the cells that were found serve both.
-            name, (seen, flakes), self.seen = _name_of(si, asked), self.seen, (None, None)
-            if name is None or name != seen:
+            name = _name_of(si, asked) if rest else None
+            (last, flakes), self.last_asked = self.last_asked, (None, None)
+            if name is None or name != last:
                 flakes = self._flakes(si, i, active) if rest else self.mean
 
             value, density = black, mi.Float(0)
@@ -304,7 +305,8 @@ def make_plugin() -> Any:
                 value = bands.colour(dr.select(lit, dr.maximum(f, 0) * wo.z, 0))
                 density = dr.select(lit, self._density(ctx, pair, flakes), 0)
             if sample1 is None:
-                self.seen = _name_of(si, asked), flakes
+                if isinstance(flakes, Sparkle):
+                    self.last_asked = _name_of(si, asked), flakes
                 return value, density, bs, black
 
             if isinstance(flakes, Sparkle):

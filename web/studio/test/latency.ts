@@ -5,8 +5,8 @@
  *
  *     ./dev studio --latency
  *
- * Arguments of the script: [MOVES] [PAINT KEY] [WIDTHxHEIGHT], by default 30 moves of a film of red-gold
- * in a window of 1280 x 800. Which renderer draws is said first (test/program.ts tells how to choose it).
+ * Arguments: [MOVES [PAINT [KEY [WIDTHxHEIGHT]]]], by default 30 moves of a film of red-gold in a window of
+ * 1280 x 800. Which renderer draws is said first (test/program.ts tells how to choose it).
  */
 
 import assert from "node:assert/strict";
