@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -279,6 +280,9 @@ TEST(MeshContents, StlIsTextOrBinary) {
     const Mesh mesh = parse_mesh(text, {.path = "m.stl"});
     EXPECT_NEAR(testing::area_mm2(mesh), 1, 1e-6);
     EXPECT_EQ(mesh.normals[0], (Vec3f{0, 0, 1}));
+    std::string capitals = text;
+    for (char& c : capitals) c = static_cast<char>(std::toupper(c));
+    EXPECT_EQ(parse_mesh(capitals, {.path = "m.stl"}).positions_mm, mesh.positions_mm);
     std::string binary = "solid" + std::string(75, ' ') + std::string("\1\0\0\0", 4);
     const float facet[12] = {0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 1, 0};  // without a normal
     binary.append(reinterpret_cast<const char*>(facet), sizeof facet);

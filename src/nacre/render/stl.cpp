@@ -19,6 +19,9 @@ namespace {
 // its normal and its corners; and two bytes more.
 constexpr std::size_t kHeader = 80, kCount = 4, kFacet = 50;
 
+// With which a text begins. Keywords are to be in lower case, but some programs write capitals.
+constexpr std::string_view kSolid = "solid";
+
 Vec3f vector(std::string_view bytes, std::size_t at) {
     const auto number = [&](std::size_t i) {
         return std::bit_cast<float>(little_endian(bytes, at + 4 * i));
@@ -54,14 +57,14 @@ class TextReader {
 
     PolygonMesh read() {
         const std::uint32_t material = mesh_.material_of(kUnnamedMaterial);
-        if (take_word() != "solid")
+        if (take_keyword() != kSolid)
             throw MeshFault("is no STL: neither binary nor does it begin with 'solid'");
         position_ = text_.find('\n', position_);  // after its name
         std::size_t corners = 0;
         bool in_facet = false;
-        for (std::string_view word = take_word(); !word.empty(); word = take_word()) {
+        for (std::string word = take_keyword(); !word.empty(); word = take_keyword()) {
             if (word == "facet") {
-                if (take_word() != "normal") refuse("a facet without a normal");
+                if (take_keyword() != "normal") refuse("a facet without a normal");
                 mesh_.normals.push_back(take_vector());
                 corners = 0;
                 in_facet = true;
@@ -73,7 +76,7 @@ class TextReader {
                 if (!in_facet) refuse("the end of no facet");
                 end_facet(mesh_, material, corners);
                 in_facet = false;
-            } else if (word == "endsolid" || word == "solid") {
+            } else if (word == "endsolid" || word == kSolid) {
                 position_ = text_.find('\n', position_);
             } else if (word != "outer" && word != "loop" && word != "endloop") {
                 refuse("an unknown word");
@@ -84,12 +87,12 @@ class TextReader {
     }
 
  private:
-    std::string_view take_word() { return render::take_word(text_, position_); }
+    std::string take_keyword() { return lowercase(take_word(text_, position_)); }
 
     Vec3f take_vector() {
         std::array<float, 3> v{};
         for (float& x : v) {
-            const auto number = parse_number(take_word());
+            const auto number = parse_number(take_word(text_, position_));
             x = static_cast<float>(number.value_or(NAN));
             if (!number || !std::isfinite(x)) refuse("a number that is none, or not finite");
         }
@@ -116,7 +119,7 @@ PolygonMesh parse_stl(std::string_view bytes) {
         const std::size_t facets = little_endian(bytes, kHeader),
                           there = bytes.size() - kHeader - kCount;
         if (facets * kFacet == there) return parse_binary(bytes, facets);
-        if (!bytes.starts_with("solid")) {
+        if (lowercase(bytes.substr(0, kSolid.size())) != kSolid) {
             if (facets * kFacet > there) {
                 throw MeshFault(fmt::format("is cut short: {} facets take {} bytes, there are {}",
                                             facets, facets * kFacet, there));
