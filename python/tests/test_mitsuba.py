@@ -18,7 +18,7 @@ import mitsuba as mi
 import nacre.mitsuba as plugin
 from mitsuba_backends import BACKENDS
 from mitsuba_surfaces import NODES, Array, bsdf, directions, disagreement, interaction, vectors
-from nacre.mitsuba import _library
+from nacre.mitsuba import _library, _plugin
 from nacre.mitsuba._bands import single
 from nacre.mitsuba._cells import BATCH, KEPT
 from nacre.mitsuba._flakes import Sparkle
@@ -149,7 +149,9 @@ def test_flakes_are_drawn_by_what_they_share(paints: Path) -> None:
     assert abs(chi2 - len(first)) < 4 * np.sqrt(2 * len(first))
 
 
-def test_what_a_value_found_serves_the_sample(paints: Path) -> None:
+def test_what_a_value_found_serves_the_sample(
+    paints: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Where both are asked by one call, as integrators do, bit by bit the same."""
     scene, count = ball(paints / "ruby.toml", 300.0), 5000
     plugin.attach(scene)
@@ -165,7 +167,19 @@ def test_what_a_value_found_serves_the_sample(paints: Path) -> None:
     asked = mi.BSDFContext(), si
 
     apart = (*surface.eval_pdf(*asked, wo), *surface.sample(*asked, *random))
+    searches = []
+    find = type(surface)._flakes
+
+    def counted(*given: Any) -> Any:
+        searches.append(given)
+        return find(*given)
+
+    monkeypatch.setattr(type(surface), "_flakes", counted)
     together = si.bsdf().eval_pdf_sample(*asked, wo, *random)
+    once = len(searches)
+    monkeypatch.setattr(_plugin, "_name_of", lambda *_: None)
+    si.bsdf().eval_pdf_sample(*asked, wo, *random)
+    assert len(searches) == once + 2 * once
     for a, b in zip(apart, together, strict=True):
         for x, y in ((a.wo, b.wo), (a.pdf, b.pdf)) if hasattr(a, "wo") else ((a, b),):
             assert np.count_nonzero(np.array(x)) > 0.9 * count
