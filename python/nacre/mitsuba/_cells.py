@@ -33,6 +33,8 @@ BATCH = 4
 """Flakes of a cell that are looked at together; it has up to four on average."""
 KEPT = 16
 """Batches that are kept until their flakes are asked, which are a bit each of 64."""
+ABREAST = 2
+"""Flakes that are considered together, as processors work on several chains of operations."""
 NO_PLANE = 3
 
 Place = tuple[Any, Any, Any, Any]
@@ -377,9 +379,12 @@ class Cells:
                 return self._flake(self._enter(plane, place), mi.Int32(n % BATCH))
 
             def consider(flakes: Any, accepted: Any) -> Any:
-                others = flakes & (flakes - 1)
-                passes = accept(flake_of(flakes))
-                return others, accepted | dr.select(passes, flakes ^ others, mi.UInt64(0))
+                for _ in range(ABREAST):
+                    others = flakes & (flakes - 1)
+                    passes = accept(flake_of(flakes))
+                    accepted = accepted | dr.select(passes, flakes ^ others, mi.UInt64(0))
+                    flakes = others
+                return flakes, accepted
 
             def take(flakes: Any, answered: Any) -> Any:
                 flake = flake_of(flakes)
