@@ -11,8 +11,11 @@ struct Resolution {
     double lobe_alpha = 0;  ///< roughness of the narrowest scattering lobe, for the azimuth
 };
 
-/// Chooses from the narrowest flake roughness and the sharpest pigment; what `settings` fixes is
-/// taken as it is.
+/// What films add at most to the exit nodes.
+inline constexpr int kMaxFilmNodes = 16;
+
+/// Chooses from the narrowest flake roughness, the sharpest pigment and how the colours of films change with
+/// the angle; what `settings` fixes is taken as it is.
 /// @throws DomainError if a setting is out of range; Error if a lobe is too sharp for any setting
 Resolution choose_resolution(const PaintMedium& medium, const SolverSettings& settings);
 

@@ -433,11 +433,13 @@ SolvedPaint solve_without_ground(const SolvedPaint& paint, const Progress& progr
 
 std::size_t memory_to_solve(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,
                             const SolverSettings& settings) {
-    // What flakes reflect does not matter: not computing it takes no time, and all wavelengths
-    // count as different.
+    // What flakes reflect is not computed, which would take time: all wavelengths count as different,
+    // and films as if they added as many nodes as they may.
     paint::Recipe plain = recipe;
+    bool films = false;
     for (paint::Layer& layer : plain.layers) {
         for (paint::FlakeSpecies& species : layer.flakes) {
+            films |= std::holds_alternative<optics::Platelet>(species.body);
             species.amount = paint::AreaDensity{species.area_density_per_um()};
             species.body = paint::PrescribedFlake{};
         }
@@ -445,7 +447,12 @@ std::size_t memory_to_solve(const paint::Recipe& recipe, const std::vector<doubl
     const PaintMedium medium = make_medium(plain, wavelengths_nm, nullptr);
     WavelengthGroups groups = group_wavelengths(medium);
     for (WavelengthGroup& group : groups) group.distinct = group.members;
-    return memory_of(medium, groups, choose_resolution(medium, settings));
+    Resolution resolution = choose_resolution(medium, settings);
+    if (films && settings.exit_nodes == 0) {
+        resolution.exit_nodes =
+            std::min(resolution.exit_nodes + kMaxFilmNodes, SolverSettings::kMaxNodes);
+    }
+    return memory_of(medium, groups, resolution);
 }
 
 }  // namespace nacre::solver

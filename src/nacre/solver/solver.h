@@ -42,7 +42,8 @@ PaintMedium without_ground(const PaintMedium& paint);
 SolvedPaint solve_without_ground(const SolvedPaint& paint, const Progress& progress = {});
 
 /// The memory in bytes that solve() allocates at its peak with the nodes and orders that it starts
-/// with; more where it finds that they do not resolve the paint.
+/// with, or less where films do not add all the nodes that they may; more where it finds that they do
+/// not resolve the paint.
 /// @throws as solve()
 std::size_t memory_to_solve(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,
                             const SolverSettings& settings = {});

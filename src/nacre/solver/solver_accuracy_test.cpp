@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "nacre/core/angles.h"
+#include "nacre/optics/material.h"
 #include "nacre/solver/solver.h"
 #include "nacre/testing/layers.h"
 
@@ -93,6 +96,49 @@ TEST(SolverAccuracy, DarkAnglesBesideNarrowLobesAreResolved) {
     const double exact = converged.brdf(45 * kDegree, 0, std::numbers::pi)[0];
     paint.multiple_scattering.lobe_width = 0;
     EXPECT_GT(std::abs(paint.brdf(45 * kDegree, 0, std::numbers::pi)[0] - exact), 0.3 * exact);
+}
+
+/// Flakes whose colour changes with the angle, as those of paints/green-violet.toml.
+paint::Recipe colour_travel_paint(double silica_nm) {
+    paint::Recipe recipe = test::flake_paint(0.11, 0, 0, 1.2, 1.5);
+    optics::Platelet platelet;
+    platelet.core = {optics::find_material("Al"), 350, {40}};
+    platelet.coats = {{optics::find_material("SiO2"), silica_nm, {8}},
+                      {optics::find_material("Fe2O3"), 20, {2}}};
+    recipe.layers[0].flakes[0].body = platelet;
+    recipe.substrate_reflectance = 0.05;
+    return recipe;
+}
+
+// At the normal for light from 45 deg, at the wavelengths that interference leaves dark.
+TEST(SolverAccuracy, DarkColoursOfFilmsAreResolved) {
+    std::vector<double> wavelengths_nm;
+    for (int i = 0; i <= 30; ++i) wavelengths_nm.push_back(400 + 10 * i);
+    SolverSettings fine, by_lobe_alone;
+    fine.exit_nodes = 64;
+    fine.inner_nodes = 40;
+    fine.tolerance = 1e-7;
+    by_lobe_alone.exit_nodes = 16;
+    const auto error = [&](const SolvedPaint& paint, const SolvedPaint& converged) {
+        const auto at = [](const SolvedPaint& p) {
+            return p.brdf(45 * kDegree, 0, std::numbers::pi);
+        };
+        double worst = 0;
+        const std::vector<double> values = at(paint), expected = at(converged);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            worst = std::max(worst, std::abs(values[i] / expected[i] - 1));
+        }
+        return worst;
+    };
+    for (const double silica_nm : {388.0, 475.0}) {
+        const paint::Recipe recipe = colour_travel_paint(silica_nm);
+        const SolvedPaint converged = solve(recipe, wavelengths_nm, fine);
+        EXPECT_LT(error(solve(recipe, wavelengths_nm), converged), 1e-3) << silica_nm;
+        EXPECT_GT(error(solve(recipe, wavelengths_nm, by_lobe_alone), converged), 5e-3);
+    }
+    // A film so thin that its colour hardly changes costs nothing.
+    const SolvedPaint thin = solve(colour_travel_paint(20), kOneWavelength);
+    EXPECT_EQ(thin.report.exit_nodes, by_lobe_alone.exit_nodes);
 }
 
 TEST(SolverAccuracy, NothingDependsOnAzimuthAtTheNormal) {
