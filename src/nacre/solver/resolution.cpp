@@ -15,7 +15,7 @@ namespace {
 // Beyond, the number of Legendre degrees makes a solve take minutes.
 constexpr double kSharpestPigment = 0.97;
 
-// Of which nodes need not follow the colours of films.
+// Lobes this wide err as much for other reasons as by the colours of films (docs/solver.md, Accuracy).
 constexpr double kWideLobe = 0.3;
 
 int round_up_to_tile(double x) { return kTile * static_cast<int>(std::ceil(x / kTile)); }
@@ -149,8 +149,8 @@ Resolution choose_resolution(const PaintMedium& medium, const SolverSettings& se
     r.lobe_alpha = alpha;
     const double n_smallest = *std::min_element(medium.ior.begin(), medium.ior.end());
     const bool bare = n_smallest == 1.0;
-    // A lobe times a colour that changes within it is narrower than the lobe. Wide lobes err as much for
-    // other reasons; without an interface there are nodes enough.
+    // A lobe times a colour that changes within it is narrower than the lobe; the numbers are those of
+    // measured errors (docs/solver.md, Accuracy). Without an interface there are nodes enough.
     const double films =
         bare || alpha >= kWideLobe
             ? 0

@@ -9,6 +9,7 @@
 #include "nacre/core/angles.h"
 #include "nacre/optics/material.h"
 #include "nacre/solver/solver.h"
+#include "nacre/spectra/spectrum.h"
 #include "nacre/testing/layers.h"
 
 // The chosen nodes and orders against a solution with many more of both.
@@ -75,17 +76,16 @@ INSTANTIATE_TEST_SUITE_P(Grid, SolverAccuracy,
                                                 10 * c.ior);
                          });
 
+/// Of lobes that the solver resolves with fewer than 40 nodes.
+constexpr SolverSettings kConverged{.exit_nodes = 64, .inner_nodes = 40, .tolerance = 1e-7};
+
 TEST(SolverAccuracy, DarkAnglesBesideNarrowLobesAreResolved) {
     // At the normal for light from 45 deg, and 75 and 110 deg from the mirror direction: little more
     // than the ground shines through, beside a lobe some 1e5 times as bright.
     paint::Recipe recipe = test::flake_paint(0.03, 0.85, 0, 3, 1.5);
     recipe.substrate_reflectance = 0.04;
-    SolverSettings fine;
-    fine.exit_nodes = 64;
-    fine.inner_nodes = 40;
-    fine.tolerance = 1e-7;
     SolvedPaint paint = solve(recipe, kOneWavelength);
-    const SolvedPaint converged = solve(recipe, kOneWavelength, fine);
+    const SolvedPaint converged = solve(recipe, kOneWavelength, kConverged);
     ASSERT_LT(paint.report.exit_nodes, 40);
     for (const double theta_o : {0.0, -30.0, -65.0}) {
         const double o = std::abs(theta_o) * kDegree, phi = theta_o < 0 ? 0.0 : std::numbers::pi;
@@ -112,13 +112,8 @@ paint::Recipe colour_travel_paint(double silica_nm) {
 
 // At the normal for light from 45 deg, at the wavelengths that interference leaves dark.
 TEST(SolverAccuracy, DarkColoursOfFilmsAreResolved) {
-    std::vector<double> wavelengths_nm;
-    for (int i = 0; i <= 30; ++i) wavelengths_nm.push_back(400 + 10 * i);
-    SolverSettings fine, by_lobe_alone;
-    fine.exit_nodes = 64;
-    fine.inner_nodes = 40;
-    fine.tolerance = 1e-7;
-    by_lobe_alone.exit_nodes = 16;
+    const std::vector<double> wavelengths_nm = spectra::default_wavelengths_nm();
+    constexpr SolverSettings by_lobe_alone{.exit_nodes = 16};
     const auto error = [&](const SolvedPaint& paint, const SolvedPaint& converged) {
         const auto at = [](const SolvedPaint& p) {
             return p.brdf(45 * kDegree, 0, std::numbers::pi);
@@ -132,7 +127,7 @@ TEST(SolverAccuracy, DarkColoursOfFilmsAreResolved) {
     };
     for (const double silica_nm : {388.0, 475.0}) {
         const paint::Recipe recipe = colour_travel_paint(silica_nm);
-        const SolvedPaint converged = solve(recipe, wavelengths_nm, fine);
+        const SolvedPaint converged = solve(recipe, wavelengths_nm, kConverged);
         EXPECT_LT(error(solve(recipe, wavelengths_nm), converged), 1e-3) << silica_nm;
         EXPECT_GT(error(solve(recipe, wavelengths_nm, by_lobe_alone), converged), 5e-3);
     }
