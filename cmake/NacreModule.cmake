@@ -48,9 +48,9 @@ if(NACRE_WIDE_COPIES)
 endif()
 if(NACRE_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC warns of anonymous namespaces in files that others include, which here are no headers. And a
-  # tenth of its time goes into collecting garbage, unless it may first take half a gigabyte.
+  # tenth of its time goes into collecting garbage, unless it may first take a gigabyte.
   target_compile_options(nacre_options INTERFACE $<BUILD_INTERFACE:-Wno-subobject-linkage
-    --param=ggc-min-heapsize=524288>)
+    --param=ggc-min-heapsize=1048576>)
 endif()
 # Assertions of tests name their file: from the clone's root, so that ccache knows what another clone
 # compiled.
@@ -101,17 +101,20 @@ function(nacre_module name)
   endif()
 endfunction()
 
-#   nacre_add_tests(TARGET)   tells CTest of the tests of a program, gives it its main(), and compiles
-#                             it as fast as may be
+#   nacre_compile_quickly(TARGET)   the same for what runs once: tests, the reading of a command line
 #
-# Most of a test runs once: inlining what it calls takes a fifth of its compilation, and the library
-# that it tests is inlined as ever.
-function(nacre_add_tests target)
-  target_link_libraries(${target} PRIVATE nacre::testing)
+# Inlining what they call takes up to a fifth of their compilation; the libraries are inlined as ever.
+function(nacre_compile_quickly target)
   nacre_compile_lightly(${target})
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-finline-limit=4>)
   endif()
+endfunction()
+
+#   nacre_add_tests(TARGET)   tells CTest of the tests of a program, and gives it its main()
+function(nacre_add_tests target)
+  target_link_libraries(${target} PRIVATE nacre::testing)
+  nacre_compile_quickly(${target})
   gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120)
 endfunction()
 

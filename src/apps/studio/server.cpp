@@ -154,7 +154,7 @@ class Page : public std::enable_shared_from_this<Page> {
 
     Shared& shared_;
     Counted counted_;
-    websocket::stream<beast::tcp_stream> socket_;
+    websocket::stream<beast::tcp_stream, false> socket_;  // nothing is compressed on this machine
     beast::flat_buffer buffer_;
     std::optional<Session> session_;
     Outbox outbox_;

@@ -60,7 +60,7 @@ HttpAnswer RunningServer::api(const std::string& target) const {
 
 struct PageClient::Socket {
     net::io_context io;
-    websocket::stream<tcp::socket> stream{io};
+    websocket::stream<tcp::socket, false> stream{io};
 };
 
 PageClient::PageClient(const RunningServer& server, const std::string& token,
