@@ -91,6 +91,10 @@ void check_flakes(Findings& found, const std::string& key, const FlakeSpecies& f
             check_film(found, fmt::format("{}.coats[{}].thickness_nm", key, i),
                        platelet->coats[i].thickness_nm);
         }
+        if (platelet->coats.empty() &&
+            platelet->coated_sides == optics::Platelet::CoatedSides::one) {
+            found.add(key, ".coated_sides = \"one\": there are no coats, and both sides are alike");
+        }
     }
 }
 

@@ -46,6 +46,11 @@ TEST(Plausibility, FindsSlipsOfTheUnitAndOfTheDecimalPoint) {
          "layer[0].flakes[0].coats[0].thickness_nm = 0.08 nm: thinner than 1 nm"},
         {[](Recipe& r) { platelet(r).core.thickness_nm = 0.45; },
          "layer[0].flakes[0].core.thickness_nm = 0.45 nm: thinner than 1 nm"},
+        {[](Recipe& r) {
+             platelet(r).coats.clear();
+             platelet(r).coated_sides = optics::Platelet::CoatedSides::one;
+         },
+         "layer[0].flakes[0].coated_sides = \"one\": there are no coats"},
         {[](Recipe& r) { r.layers[0].thickness_um = 0.5; },
          "layer[0].flakes[0]: flakes 0.61 um thick do not fit into a layer of 0.5 um"},
         {[](Recipe& r) { r.layers[0].thickness_um = 2; },
