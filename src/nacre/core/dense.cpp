@@ -2,6 +2,9 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <algorithm>
+#include <numeric>
 
 namespace nacre {
 
@@ -24,6 +27,29 @@ RowMajorMatrix inverse_of_positive_definite(const RowMajorMatrix& a) {
 
 RowMajorMatrix inverse_square_root(const Eigen::MatrixXd& a) {
     return Solver(a).operatorInverseSqrt();
+}
+
+ColumnInterpolation interpolative_decomposition(const Eigen::MatrixXd& a, int count) {
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(a);
+    const Eigen::Index taken = std::min<Eigen::Index>(count, qr.rank()), all = a.cols();
+    const auto& order = qr.colsPermutation().indices();  // of columns, as they were taken
+    // A P = Q [R_1 R_2], so that the columns after the first ones are these times R_1^-1 R_2.
+    const Eigen::MatrixXd rest = qr.matrixR()
+                                     .topLeftCorner(taken, taken)
+                                     .triangularView<Eigen::Upper>()
+                                     .solve(qr.matrixR().topRightCorner(taken, all - taken));
+    std::vector<Eigen::Index> rising(taken);
+    std::iota(rising.begin(), rising.end(), Eigen::Index{0});
+    std::sort(rising.begin(), rising.end(),
+              [&](Eigen::Index i, Eigen::Index j) { return order[i] < order[j]; });
+    ColumnInterpolation out{{}, Eigen::MatrixXd::Zero(taken, all)};
+    for (Eigen::Index k = 0; k < taken; ++k) {
+        const Eigen::Index i = rising[k];
+        out.columns.push_back(order[i]);
+        out.weights(k, order[i]) = 1;
+        for (Eigen::Index j = taken; j < all; ++j) out.weights(k, order[j]) = rest(i, j - taken);
+    }
+    return out;
 }
 
 RowMajorMatrix product(const RowMajorView& a, const RowMajorView& b) { return a * b; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 // Decompositions and products of dense matrices: the only user of the parts of Eigen that take the
 // compiler seconds, so that they are compiled once.
@@ -24,6 +25,16 @@ SymmetricEigen tridiagonal_eigen(const Eigen::VectorXd& diagonal, const Eigen::V
 /// A^-1 and A^-1/2 of a symmetric positive definite matrix.
 RowMajorMatrix inverse_of_positive_definite(const RowMajorMatrix& a);
 RowMajorMatrix inverse_square_root(const Eigen::MatrixXd& a);
+
+/// Some columns of a matrix, and how all are combined from them: A is nearly A_S C.
+struct ColumnInterpolation {
+    std::vector<int> columns;  ///< S, rising
+    Eigen::MatrixXd weights;   ///< C [column of S][column]; of a column of S itself 1
+};
+
+/// By a QR decomposition that takes the largest of the remaining columns first.  [cheng-2005]
+/// @param count  columns to take; as many as the rank, if that is less
+ColumnInterpolation interpolative_decomposition(const Eigen::MatrixXd& a, int count);
 
 /// A B, A B^T and A^T A.
 using RowMajorView = Eigen::Ref<const RowMajorMatrix>;

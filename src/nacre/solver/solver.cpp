@@ -4,15 +4,19 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include "nacre/core/error.h"
 #include "nacre/core/memory.h"
 #include "nacre/core/parallel.h"
 #include "nacre/solver/azimuthal_order.h"
 #include "nacre/solver/order_interpolation.h"
+#include "nacre/solver/representative_wavelengths.h"
 #include "nacre/solver/resolution.h"
 #include "nacre/solver/wavelength_groups.h"
 
@@ -35,26 +39,29 @@ enum class InternalReflection { scattered, lost };
 // Solves wavelengths that share one index of the binder.
 class GroupSolver {
  public:
-    GroupSolver(const PaintMedium& medium, const Resolution& resolution,
-                InternalReflection internal, SharedProgress& work)
-        : work_(work),
+    GroupSolver(PaintMedium medium, const Resolution& resolution, InternalReflection internal,
+                SharedProgress& work)
+        : medium_(std::move(medium)),
+          resolution_(resolution),
+          internal_(internal),
+          work_(work),
           directions_(
-              make_directions(medium.ior[0], resolution.exit_nodes, resolution.inner_nodes)),
+              make_directions(medium_.ior[0], resolution.exit_nodes, resolution.inner_nodes)),
           active_(directions_, resolution.lobe_alpha, resolution.orders),
-          wavelengths_(medium.wavelength_count()),
+          wavelengths_(medium_.wavelength_count()),
           workspaces_([this] { return OrderWorkspace(directions_.size()); }) {
-        const bool rough = medium.roughness > 0 && directions_.ior > 1;
+        const bool rough = medium_.roughness > 0 && directions_.ior > 1;
         if (rough) {
-            interface_ = rough_interface_operators(directions_, active_, medium.roughness);
+            interface_ = rough_interface_operators(directions_, active_, medium_.roughness);
             // Kept for those who read the solution, who ask for it from all threads at once: each
             // would make it.
-            rough_interface(directions_.ior, medium.roughness);
+            rough_interface(directions_.ior, medium_.roughness);
         }
         const int lit = rough ? directions_.size() : directions_.exit_count;
         blocks_.resize(paint::block_count(wavelengths_));
         std::vector<std::vector<Losses>> losses;  // [layer][node]
-        kernels_.reserve(medium.layers.size());
-        for (const LayerMedium& layer : medium.layers) {
+        kernels_.reserve(medium_.layers.size());
+        for (const LayerMedium& layer : medium_.layers) {
             kernels_.emplace_back(layer, directions_, active_, static_cast<int>(blocks_.size()),
                                   &work_);
             std::vector<Losses>& by_node = losses.emplace_back(directions_.size());
@@ -66,13 +73,13 @@ class GroupSolver {
         }
         parallel_for(std::size_t{0}, blocks_.size(), [&](std::size_t b) {
             blocks_[b] =
-                make_block(medium, directions_, kernels_, losses, lit, static_cast<int>(b));
+                make_block(medium_, directions_, kernels_, losses, lit, static_cast<int>(b));
             if (internal == InternalReflection::lost) {
                 std::fill(blocks_[b].returned.begin(), blocks_[b].returned.end(), DoubleLanes{});
             }
             work_.add(kBlockWork);
         });
-        set_peaks(medium);
+        set_peaks();
         for (int l = 0; l < active_.orders() && active_.first(l) < directions_.exit_count; ++l) {
             first_.push_back(active_.first(l));
         }
@@ -97,6 +104,9 @@ class GroupSolver {
         const std::vector<int> sequence = solved_orders(static_cast<int>(first_.size()));
         double last_chunk = 0;
         for (std::size_t from = 0; from < sequence.size(); from += kChunk) {
+            if (from == 2 * kChunk) {
+                look_for_few(std::span(sequence).first(from), sequence[kChunk - 1], tolerance);
+            }
             const auto chunk_orders =
                 std::span(sequence).subspan(from, std::min(kChunk, sequence.size() - from));
             solve_orders(chunk_orders);
@@ -133,7 +143,7 @@ class GroupSolver {
 
     // The scale of the tolerance: the BRDF in the specular direction of each exit node, by single
     // scattering alone, a lower bound.
-    void set_peaks(const PaintMedium& medium) {
+    void set_peaks() {
         peak_.assign(static_cast<std::size_t>(directions_.exit_count) * blocks_.size(),
                      DoubleLanes{});
         if (interface_) return;  // see raise_peaks()
@@ -141,8 +151,8 @@ class GroupSolver {
             for (int i = 0; i < directions_.exit_count; ++i) {
                 const double mu = directions_.mu[i];
                 DoubleLanes sum{};
-                for (std::size_t k = 0; k < medium.layers.size(); ++k) {
-                    sum += backscattering(medium.layers[k], mu, mu, std::numbers::pi,
+                for (std::size_t k = 0; k < medium_.layers.size(); ++k) {
+                    sum += backscattering(medium_.layers[k], mu, mu, std::numbers::pi,
                                           static_cast<int>(b)) *
                            blocks_[b].layers[k].single_factor[triangle(i) + i] * (1 / (mu * mu));
                 }
@@ -196,8 +206,76 @@ class GroupSolver {
         return lane_max(size);
     }
 
-    // In parallel.
+    // Has further orders solved at representative wavelengths alone if these tell the known ones at all
+    // others. They are chosen by order 0 and one more; orders err less the higher they are.
+    void look_for_few(std::span<const int> known, int one_more, double tolerance) {
+        const auto blocks = static_cast<int>(blocks_.size());
+        if (blocks == 1) return;
+        const LaneBuffer rows = scaled_rows({{0, one_more}});
+        for (int few = 1; 2 * few <= blocks; few *= 2) {
+            if (!may_be_represented(rows, wavelengths_, few * kLanes)) continue;
+            RepresentativeWavelengths found(rows, wavelengths_, few * kLanes);
+            if (found.wavelengths().empty()) return;  // all is black
+            const bool suffice = std::all_of(known.begin(), known.end(), [&](int l) {
+                return error_of(found, l) < kRepresentativesShare * tolerance;
+            });
+            if (!suffice) continue;
+            few_ = std::make_unique<GroupSolver>(select_wavelengths(medium_, found.wavelengths()),
+                                                 resolution_, internal_, work_);
+            representatives_.emplace(std::move(found));
+            return;
+        }
+    }
+
+    // Values of orders, those of each pair over its largest peak: [row][block].
+    LaneBuffer scaled_rows(const std::array<int, 2>& orders) const {
+        const std::size_t blocks = blocks_.size();
+        LaneBuffer rows;
+        for (int l : orders) {
+            std::size_t at = 0;
+            for (int i = first_[l]; i < directions_.exit_count; ++i) {
+                for (int j = first_[l]; j <= i; ++j, at += blocks) {
+                    double scale = kBlackBrdf;
+                    for (std::size_t b = 0; b < blocks; ++b) {
+                        scale = std::max(scale, lane_max(min_lanes(peak_[i * blocks + b],
+                                                                   peak_[j * blocks + b])));
+                    }
+                    const auto add = [&](const OrderValues& values) {
+                        for (std::size_t b = 0; b < blocks; ++b)
+                            rows.push_back(values[at + b] / scale);
+                    };
+                    add(multiple_[l]);
+                    if (interface_) add(single_[l]);
+                }
+            }
+        }
+        return rows;
+    }
+
+    // Of an order that is known, by what its own representatives make of it.
+    double error_of(const RepresentativeWavelengths& found, int l) const {
+        OrderValues multiple = found.again(multiple_[l]), single;
+        if (interface_) single = found.again(single_[l]);
+        for (std::size_t k = 0; k < multiple.size(); ++k) multiple[k] -= multiple_[l][k];
+        for (std::size_t k = 0; k < single.size(); ++k) single[k] -= single_[l][k];
+        return size_of(l, multiple, single);
+    }
+
     void solve_orders(std::span<const int> orders) {
+        if (!few_) return solve_all(orders);
+        few_->solve_orders(orders);
+        const std::size_t needed = orders.empty() ? 0 : orders.back() + 1;
+        multiple_.resize(std::max(multiple_.size(), needed));
+        single_.resize(multiple_.size());
+        parallel_for(std::size_t{0}, orders.size(), [&](std::size_t k) {
+            const int l = orders[k];
+            multiple_[l] = representatives_->at_all(few_->multiple_[l]);
+            if (interface_) single_[l] = representatives_->at_all(few_->single_[l]);
+        });
+    }
+
+    // At all wavelengths, in parallel.
+    void solve_all(std::span<const int> orders) {
         const std::size_t blocks = blocks_.size();
         const std::size_t needed = orders.empty() ? 0 : orders.back() + 1;
         multiple_.resize(std::max(multiple_.size(), needed));
@@ -291,9 +369,15 @@ class GroupSolver {
 
     // What interpolation between orders may add to the error, of the tolerance.
     static constexpr double kInterpolationShare = 0.1;
+    // By how much representative wavelengths may err in each order, of the tolerance: a thousandth of
+    // what compress() may, as at dark angles the errors of all orders show.
+    static constexpr double kRepresentativesShare = 1e-4;
 
     int orders() const { return static_cast<int>(multiple_.size()); }
 
+    PaintMedium medium_;
+    Resolution resolution_;
+    InternalReflection internal_;
     SharedProgress& work_;
     Directions directions_;
     ActiveNodes active_;
@@ -306,6 +390,9 @@ class GroupSolver {
     std::vector<int> first_;  // by order: the first active node
     // By order; empty where it is not known. The second under a rough interface.
     std::vector<OrderValues> multiple_, single_;
+    // Those of which further orders are solved, if not all.
+    std::unique_ptr<GroupSolver> few_;
+    std::optional<RepresentativeWavelengths> representatives_;
 };
 
 // The peak of the memory that a solution takes, in bytes: the kernels and values of the group that is
@@ -321,7 +408,9 @@ std::size_t memory_of(const PaintMedium& medium, const WavelengthGroups& groups,
                                              resolution.inner_nodes);
         const ActiveNodes active(d, resolution.lobe_alpha, resolution.orders);
         const std::size_t of_group = exit_pairs(d, active);
-        solving = std::max(solving, paint::block_count(static_cast<int>(group.distinct.size())) *
+        const std::size_t blocks = paint::block_count(static_cast<int>(group.distinct.size()));
+        const std::size_t of_representatives = blocks / 2;
+        solving = std::max(solving, (blocks + of_representatives) *
                                         (FourierKernel::bytes(d, active) * medium.layers.size() +
                                          tensors * of_group * sizeof(DoubleLanes)));
         pairs = std::max(pairs, of_group);

@@ -1,0 +1,101 @@
+#include "nacre/solver/representative_wavelengths.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "nacre/core/angles.h"
+#include "nacre/solver/solver.h"
+#include "nacre/testing/layers.h"
+#include "nacre/testing/paints.h"
+
+namespace nacre::solver {
+namespace {
+
+constexpr int kWavelengths = 31, kBlocks = 4;
+
+/// Rows of which each adds up the first `rank` cosines over the wavelengths, by amounts of its own.
+LaneBuffer rows_of_rank(int rank, int rows, int seed) {
+    LaneBuffer out;
+    for (int row = 0; row < rows; ++row) {
+        for (int lane = 0; lane < kBlocks * kLanes; ++lane) {
+            const int w = std::min(lane, kWavelengths - 1);
+            double sum = 0;
+            for (int k = 0; k < rank; ++k)
+                sum += std::cos(7.0 * seed + 3.1 * row * (k + 1)) * std::cos(0.1 * k * w);
+            if (lane % kLanes == 0) out.emplace_back();
+            out.back()[lane % kLanes] = sum;
+        }
+    }
+    return out;
+}
+
+double largest_difference(const LaneBuffer& a, const LaneBuffer& b) {
+    DoubleLanes most{};
+    for (std::size_t k = 0; k < a.size(); ++k)
+        most = max_lanes(most, max_lanes(a[k] - b[k], b[k] - a[k]));
+    return lane_max(most);
+}
+
+TEST(RepresentativeWavelengths, TellAllOfSpectraThatTheySpan) {
+    EXPECT_TRUE(may_be_represented(rows_of_rank(6, 40, 1), kWavelengths, kLanes));
+    const RepresentativeWavelengths few(rows_of_rank(6, 40, 1), kWavelengths, kLanes);
+    ASSERT_EQ(few.wavelengths().size(), 6u);  // no more than are needed
+    EXPECT_TRUE(std::is_sorted(few.wavelengths().begin(), few.wavelengths().end()));
+    const LaneBuffer others = rows_of_rank(6, 25, 2);
+    EXPECT_LT(largest_difference(few.again(others), others), 1e-11);
+
+    OrderValues chosen(25);
+    for (int row = 0; row < 25; ++row) {
+        for (std::size_t k = 0; k < few.wavelengths().size(); ++k) {
+            const int w = few.wavelengths()[k];
+            chosen[row][static_cast<int>(k)] = others[row * kBlocks + w / kLanes][w % kLanes];
+        }
+    }
+    EXPECT_LT(largest_difference(few.at_all(chosen), others), 1e-11);
+}
+
+TEST(RepresentativeWavelengths, TellApartWhatTheyDoNotSpan) {
+    EXPECT_FALSE(may_be_represented(rows_of_rank(14, 40, 1), kWavelengths, kLanes));
+    const RepresentativeWavelengths few(rows_of_rank(14, 40, 1), kWavelengths, kLanes);
+    EXPECT_EQ(few.wavelengths().size(), std::size_t{kLanes});
+    const LaneBuffer others = rows_of_rank(14, 25, 2);
+    EXPECT_GT(largest_difference(few.again(others), others), 1e-3);
+}
+
+// Metals, whose further orders are solved at a few of the wavelengths, and a film, whose are not.
+TEST(RepresentativeWavelengths, APaintIsAsItsWavelengthsSolvedAlone) {
+    std::vector<double> wavelengths(kWavelengths);
+    for (int w = 0; w < kWavelengths; ++w) wavelengths[w] = 400 + 10 * w;
+    const spectra::Spectrum silver({400, 550, 700}, {0.85, 0.9, 0.94}),
+        green({400, 550, 700}, {0.2, 0.5, 0.2});
+    paint::Recipe smooth = test::flake_paint(0.05, silver, 0, 3, 1.5), rough = smooth;
+    rough.layers.push_back(nacre::test::pigment_layer(0.8, 2, 0.5));
+    rough.clearcoat = paint::Clearcoat{.thickness_um = 40, .roughness = 0.15};
+    paint::Recipe dyed = smooth;
+    dyed.clearcoat = paint::Clearcoat{40, green, 0.0};
+    paint::Recipe film = smooth;
+    film.layers[0].flakes[0].body = optics::Platelet{.core = {optics::Material(1.58), 450, {}},
+                                                     .coats = {{optics::Material(2.5), 300, {}}}};
+    for (const paint::Recipe& recipe : {smooth, rough, dyed, film}) {
+        SolverSettings settings{.exit_nodes = 24, .inner_nodes = 16};
+        const SolvedPaint all = solve(recipe, wavelengths, settings);
+        for (const int w : {0, 7, 16, 29}) {
+            const SolvedPaint alone = solve(recipe, {wavelengths[w]}, settings);
+            for (const double theta_o : {-60.0, -45.0, -30.0, 0.0, 50.0}) {
+                const double phi = theta_o < 0 ? std::numbers::pi : 0.0;
+                const double peak = alone.brdf(45 * kDegree, 45 * kDegree, std::numbers::pi)[0];
+                const double a = all.brdf(45 * kDegree, std::abs(theta_o) * kDegree, phi)[w];
+                const double b = alone.brdf(45 * kDegree, std::abs(theta_o) * kDegree, phi)[0];
+                // What compress() rounds, of these wavelengths or of one.
+                EXPECT_NEAR(a, b, 2e-5 * peak) << wavelengths[w] << " nm, " << theta_o;
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace nacre::solver
