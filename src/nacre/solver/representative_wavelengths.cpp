@@ -9,12 +9,13 @@ namespace nacre::solver {
 
 namespace {
 
-RowMajorMatrix by_wavelength(const LaneBuffer& rows, int wavelengths) {
+/// One wavelength in `step`, from the first.
+RowMajorMatrix by_wavelength(const LaneBuffer& rows, int wavelengths, int step = 1) {
     const std::size_t blocks = paint::block_count(wavelengths);
-    RowMajorMatrix a(rows.size() / blocks, wavelengths);
+    RowMajorMatrix a(rows.size() / blocks, (wavelengths + step - 1) / step);
     for (Eigen::Index row = 0; row < a.rows(); ++row) {
-        for (int w = 0; w < wavelengths; ++w)
-            a(row, w) = rows[row * blocks + w / kLanes][w % kLanes];
+        for (int w = 0; w < wavelengths; w += step)
+            a(row, w / step) = rows[row * blocks + w / kLanes][w % kLanes];
     }
     return a;
 }
@@ -24,10 +25,13 @@ RowMajorMatrix by_wavelength(const LaneBuffer& rows, int wavelengths) {
 bool may_be_represented(const LaneBuffer& rows, int wavelengths, int count) {
     // Squares of singular values, of which rounding hides those below 1e-15 of the largest.
     constexpr double kFar = 1e-12;
+    // What so many do not tell of one wavelength in some, they do not tell of all.
+    constexpr int kEnough = 4 * kLanes;
+    const int step = std::max(wavelengths / kEnough, 1);
     const Eigen::VectorXd squares =
-        symmetric_eigen(gram_matrix(by_wavelength(rows, wavelengths))).values;
-    return count >= wavelengths ||
-           squares[wavelengths - 1 - count] < kFar * squares[wavelengths - 1];
+        symmetric_eigen(gram_matrix(by_wavelength(rows, wavelengths, step))).values;
+    const Eigen::Index last = squares.size() - 1;
+    return count > last || squares[last - count] < kFar * squares[last];
 }
 
 RepresentativeWavelengths::RepresentativeWavelengths(const LaneBuffer& rows, int wavelengths,

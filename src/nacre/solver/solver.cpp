@@ -212,7 +212,7 @@ class GroupSolver {
         const auto blocks = static_cast<int>(blocks_.size());
         if (blocks == 1) return;
         const LaneBuffer rows = scaled_rows({{0, one_more}});
-        for (int few = 1; 2 * few <= blocks; few *= 2) {
+        for (int few = 1; few <= std::min(blocks / 2, kMostBlocksOfFew); ++few) {
             if (!may_be_represented(rows, wavelengths_, few * kLanes)) continue;
             RepresentativeWavelengths found(rows, wavelengths_, few * kLanes);
             if (found.wavelengths().empty()) return;  // all is black
@@ -369,6 +369,8 @@ class GroupSolver {
 
     // What interpolation between orders may add to the error, of the tolerance.
     static constexpr double kInterpolationShare = 0.1;
+    // Of the representatives. More take longer to find than most paints take to be solved.
+    static constexpr int kMostBlocksOfFew = 2;
     // By how much representative wavelengths may err in each order, of the tolerance: a thousandth of
     // what compress() may, as at dark angles the errors of all orders show.
     static constexpr double kRepresentativesShare = 1e-4;
