@@ -80,7 +80,15 @@ TEST(RepresentativeWavelengths, APaintIsAsItsWavelengthsSolvedAlone) {
     paint::Recipe film = smooth;
     film.layers[0].flakes[0].body = optics::Platelet{.core = {optics::Material(1.58), 450, {}},
                                                      .coats = {{optics::Material(2.5), 300, {}}}};
-    for (const paint::Recipe& recipe : {smooth, rough, dyed, film}) {
+    // Whose colour changes so much within a lobe that orders beyond the first eight differ as well.
+    const auto metal = [](optics::ComplexIndex n) {
+        return optics::Material("metal", {400, 700}, std::vector<optics::ComplexIndex>{n, n});
+    };
+    paint::Recipe interference = smooth;
+    interference.layers[0].flakes[0].body =
+        optics::Platelet{.core = {metal({0.8, 6.0}), 80, {}},
+                         .coats = {{optics::Material(1.45), 450, {}}, {metal({3.0, 3.3}), 8, {}}}};
+    for (const paint::Recipe& recipe : {smooth, rough, dyed, film, interference}) {
         SolverSettings settings{.exit_nodes = 24, .inner_nodes = 16};
         const SolvedPaint all = solve(recipe, wavelengths, settings);
         for (const int w : {0, 7, 16, 29}) {

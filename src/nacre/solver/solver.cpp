@@ -217,7 +217,9 @@ class GroupSolver {
             RepresentativeWavelengths found(rows, wavelengths_, few * kLanes);
             if (found.wavelengths().empty()) return;  // all is black
             const bool suffice = std::all_of(known.begin(), known.end(), [&](int l) {
-                return error_of(found, l) < kRepresentativesShare * tolerance;
+                return error_of(l, found.again(multiple_[l]),
+                                interface_ ? found.again(single_[l]) : OrderValues{}) <
+                       kRepresentativesShare * tolerance;
             });
             if (!suffice) continue;
             few_ = std::make_unique<GroupSolver>(select_wavelengths(medium_, found.wavelengths()),
@@ -252,10 +254,9 @@ class GroupSolver {
         return rows;
     }
 
-    // Of an order that is known, by what its own representatives make of it.
-    double error_of(const RepresentativeWavelengths& found, int l) const {
-        OrderValues multiple = found.again(multiple_[l]), single;
-        if (interface_) single = found.again(single_[l]);
+    // By how much values of an order that is known err, relative to the peaks. `single` is empty but
+    // under a rough interface.
+    double error_of(int l, OrderValues multiple, OrderValues single) const {
         for (std::size_t k = 0; k < multiple.size(); ++k) multiple[k] -= multiple_[l][k];
         for (std::size_t k = 0; k < single.size(); ++k) single[k] -= single_[l][k];
         return size_of(l, multiple, single);
@@ -329,14 +330,12 @@ class GroupSolver {
             OrderValues multiple = interpolated(*probe, multiple_), single;
             if (interface_) single = interpolated(*probe, single_);
             solve_orders({&*probe, 1});
-            for (std::size_t k = 0; k < multiple.size(); ++k) multiple[k] -= multiple_[*probe][k];
-            for (std::size_t k = 0; k < single.size(); ++k) single[k] -= single_[*probe][k];
             std::vector<int> left_out;
             for (int l = *probe; l < std::min(2 * (*probe - distance), orders()); ++l) {
                 if (multiple_[l].empty()) left_out.push_back(l);
             }
-            const double error =
-                2.0 * static_cast<double>(left_out.size() + 1) * size_of(*probe, multiple, single);
+            const double error = 2.0 * static_cast<double>(left_out.size() + 1) *
+                                 error_of(*probe, std::move(multiple), std::move(single));
             if (error > kInterpolationShare * tolerance) solve_orders(left_out);
             std::vector<int> between;
             for (int l = distance; l < orders(); l += 2 * distance) {
