@@ -1,22 +1,12 @@
 #include "nacre/solver/solver.h"
 
 #include <fmt/format.h>
-#include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <memory>
-#include <numbers>
-#include <optional>
-#include <utility>
 
 #include "nacre/core/error.h"
 #include "nacre/core/memory.h"
-#include "nacre/core/parallel.h"
-#include "nacre/solver/azimuthal_order.h"
-#include "nacre/solver/order_interpolation.h"
-#include "nacre/solver/representative_wavelengths.h"
+#include "nacre/solver/group_solver.h"
 #include "nacre/solver/resolution.h"
 #include "nacre/solver/wavelength_groups.h"
 
@@ -24,399 +14,18 @@ namespace nacre::solver {
 
 namespace {
 
-// Pairs of active exit nodes, of all orders.
-std::size_t exit_pairs(const Directions& d, const ActiveNodes& active) {
-    std::size_t pairs = 0;
-    for (int l = 0; l < active.orders(); ++l) {
-        pairs += triangle(std::max(0, d.exit_count - active.first(l)));
-    }
-    return pairs;
-}
-
-// What becomes of the light that a smooth interface sends back into the coat.
-enum class InternalReflection { scattered, lost };
-
-// Solves wavelengths that share one index of the binder.
-class GroupSolver {
- public:
-    GroupSolver(PaintMedium medium, const Resolution& resolution, InternalReflection internal,
-                SharedProgress& work)
-        : medium_(std::move(medium)),
-          resolution_(resolution),
-          internal_(internal),
-          work_(work),
-          directions_(
-              make_directions(medium_.ior[0], resolution.exit_nodes, resolution.inner_nodes)),
-          active_(directions_, resolution.lobe_alpha, resolution.orders),
-          wavelengths_(medium_.wavelength_count()),
-          workspaces_([this] { return OrderWorkspace(directions_.size()); }) {
-        const bool rough = medium_.roughness > 0 && directions_.ior > 1;
-        if (rough) {
-            interface_ = rough_interface_operators(directions_, active_, medium_.roughness);
-            // Kept for those who read the solution, who ask for it from all threads at once: each
-            // would make it.
-            rough_interface(directions_.ior, medium_.roughness);
-        }
-        const int lit = rough ? directions_.size() : directions_.exit_count;
-        blocks_.resize(paint::block_count(wavelengths_));
-        std::vector<std::vector<Losses>> losses;  // [layer][node]
-        kernels_.reserve(medium_.layers.size());
-        for (const LayerMedium& layer : medium_.layers) {
-            kernels_.emplace_back(layer, directions_, active_, static_cast<int>(blocks_.size()),
-                                  &work_);
-            std::vector<Losses>& by_node = losses.emplace_back(directions_.size());
-            parallel_for(0, directions_.size(), [&](int i) {
-                work_.require_going(kSolving);
-                by_node[i] =
-                    solver::losses(layer, directions_.mu[i], 0, static_cast<int>(blocks_.size()));
-            });
-        }
-        parallel_for(std::size_t{0}, blocks_.size(), [&](std::size_t b) {
-            blocks_[b] =
-                make_block(medium_, directions_, kernels_, losses, lit, static_cast<int>(b));
-            if (internal == InternalReflection::lost) {
-                std::fill(blocks_[b].returned.begin(), blocks_[b].returned.end(), DoubleLanes{});
-            }
-            work_.add(kBlockWork);
-        });
-        set_peaks();
-        for (int l = 0; l < active_.orders() && active_.first(l) < directions_.exit_count; ++l) {
-            first_.push_back(active_.first(l));
-        }
-    }
-
-    // Solves orders until those omitted sum to less than `tolerance` of the peak.
-    GroupSolution run(double tolerance) {
-        constexpr std::size_t kChunk = 4;
-        GroupSolution out;
-        out.wavelength_count = wavelengths_;
-        out.exit_angle = directions_.exit_angle;
-        out.inner_nodes = directions_.size() - directions_.exit_count;
-        for (const PaintBlock& block : blocks_) {
-            out.unresolved_scattering = std::max(out.unresolved_scattering, block.unresolved);
-        }
-        if (interface_) {
-            // Held to a tenth of what flakes may leave unresolved: the BRDF errs by as much, not by
-            // a fraction of it.
-            out.unresolved_scattering =
-                std::max(out.unresolved_scattering, 10 * interface_->asymmetry());
-        }
-        const std::vector<int> sequence = solved_orders(static_cast<int>(first_.size()));
-        double last_chunk = 0;
-        for (std::size_t from = 0; from < sequence.size(); from += kChunk) {
-            if (from == 2 * kChunk) {
-                look_for_few(std::span(sequence).first(from), sequence[kChunk - 1], tolerance);
-            }
-            const auto chunk_orders =
-                std::span(sequence).subspan(from, std::min(kChunk, sequence.size() - from));
-            solve_orders(chunk_orders);
-            double chunk = 0;
-            for (int l : chunk_orders) {
-                // Each stands for those up to the next, too.
-                const double stands_for = next_solved_order(l + 1) - l;
-                raise_peaks(l, stands_for);
-                chunk += 2 * stands_for * size_of(l, multiple_[l], single_[l]);
-            }
-            // Sum of the omitted orders, extrapolated as a geometric series from the last two
-            // chunks.
-            const double ratio = from > 0 ? chunk / std::max(last_chunk, 1e-300) : 1.0;
-            out.azimuthal_tail = ratio < 1 ? chunk * ratio / (1 - ratio) : chunk;
-            if (from > 0 && out.azimuthal_tail < tolerance) break;
-            last_chunk = chunk;
-        }
-        interpolate_orders(tolerance);
-        out.first.assign(first_.begin(), first_.begin() + orders());
-        out.values = unpack(multiple_);
-        if (interface_) out.single_values = unpack(single_);
-        return out;
-    }
-
-    // Of a group of `wavelengths`, in units of one order of one block.
-    static double work(int wavelengths, const Resolution& resolution) {
-        const std::size_t orders = solved_orders(resolution.orders).size();
-        return paint::block_count(wavelengths) * static_cast<double>(kBlockWork + orders);
-    }
-
- private:
-    // Making a block takes the time of about so many of its orders.
-    static constexpr int kBlockWork = 10;
-
-    // The scale of the tolerance: the BRDF in the specular direction of each exit node, by single
-    // scattering alone, a lower bound.
-    void set_peaks() {
-        peak_.assign(static_cast<std::size_t>(directions_.exit_count) * blocks_.size(),
-                     DoubleLanes{});
-        if (interface_) return;  // see raise_peaks()
-        for (std::size_t b = 0; b < blocks_.size(); ++b) {
-            for (int i = 0; i < directions_.exit_count; ++i) {
-                const double mu = directions_.mu[i];
-                DoubleLanes sum{};
-                for (std::size_t k = 0; k < medium_.layers.size(); ++k) {
-                    sum += backscattering(medium_.layers[k], mu, mu, std::numbers::pi,
-                                          static_cast<int>(b)) *
-                           blocks_[b].layers[k].single_factor[triangle(i) + i] * (1 / (mu * mu));
-                }
-                peak_[i * blocks_.size() + b] = sum;
-            }
-        }
-    }
-
-    // Order 0 of what is diffuse counts as peak too; under a rough interface, the sum of the orders
-    // so far in the specular direction.
-    void raise_peaks(int order, double stands_for) {
-        const int first = first_[order], rows = directions_.exit_count - first;
-        const std::size_t blocks = blocks_.size();
-        std::size_t at = 0;
-        for (int i = 0; i < rows; ++i) {
-            DoubleLanes* const peak_i = peak_.data() + (first + i) * blocks;
-            for (int j = 0; j <= i; ++j) {
-                DoubleLanes* const peak_j = peak_.data() + (first + j) * blocks;
-                for (std::size_t b = 0; b < blocks; ++b, ++at) {
-                    DoubleLanes value = multiple_[order][at];
-                    if (interface_) value += single_[order][at];
-                    if (interface_ && i == j) peak_i[b] += (order ? 2 * stands_for : 1.0) * value;
-                    if (order > 0) continue;
-                    peak_i[b] = max_lanes(peak_i[b], value);
-                    peak_j[b] = max_lanes(peak_j[b], value);
-                }
-            }
-        }
-    }
-
-    // Of values of an order, relative to the peaks.
-    double size_of(int order, const OrderValues& multiple, const OrderValues& single) const {
-        const int first = first_[order], rows = directions_.exit_count - first;
-        const std::size_t blocks = blocks_.size();
-        DoubleLanes size{};
-        std::size_t at = 0;
-        for (int i = 0; i < rows; ++i) {
-            const DoubleLanes* const peak_i = peak_.data() + (first + i) * blocks;
-            for (int j = 0; j <= i; ++j) {
-                const DoubleLanes* const peak_j = peak_.data() + (first + j) * blocks;
-                for (std::size_t b = 0; b < blocks; ++b, ++at) {
-                    DoubleLanes value = multiple[at];
-                    if (interface_) value += single[at];
-                    const DoubleLanes scale = min_lanes(peak_i[b], peak_j[b]);
-                    // Beyond the last wavelength lanes repeat it.
-                    size = max_lanes(
-                        size, max_lanes(value, -value) / max_lanes(scale, splat(kBlackBrdf)));
-                }
-            }
-        }
-        return lane_max(size);
-    }
-
-    // Has further orders solved at representative wavelengths alone if these tell the known ones at all
-    // others. They are chosen by order 0 and one more; orders err less the higher they are.
-    void look_for_few(std::span<const int> known, int one_more, double tolerance) {
-        const auto blocks = static_cast<int>(blocks_.size());
-        if (blocks == 1) return;
-        const LaneBuffer rows = scaled_rows({{0, one_more}});
-        for (int few = 1; few <= std::min(blocks / 2, kMostBlocksOfFew); ++few) {
-            if (!may_be_represented(rows, wavelengths_, few * kLanes)) continue;
-            RepresentativeWavelengths found(rows, wavelengths_, few * kLanes);
-            if (found.wavelengths().empty()) return;  // all is black
-            const bool suffice = std::all_of(known.begin(), known.end(), [&](int l) {
-                return error_of(l, found.again(multiple_[l]),
-                                interface_ ? found.again(single_[l]) : OrderValues{}) <
-                       kRepresentativesShare * tolerance;
-            });
-            if (!suffice) continue;
-            few_ = std::make_unique<GroupSolver>(select_wavelengths(medium_, found.wavelengths()),
-                                                 resolution_, internal_, work_);
-            representatives_.emplace(std::move(found));
-            return;
-        }
-    }
-
-    // Values of orders, those of each pair over its largest peak: [row][block].
-    LaneBuffer scaled_rows(const std::array<int, 2>& orders) const {
-        const std::size_t blocks = blocks_.size();
-        LaneBuffer rows;
-        for (int l : orders) {
-            std::size_t at = 0;
-            for (int i = first_[l]; i < directions_.exit_count; ++i) {
-                for (int j = first_[l]; j <= i; ++j, at += blocks) {
-                    double scale = kBlackBrdf;
-                    for (std::size_t b = 0; b < blocks; ++b) {
-                        scale = std::max(scale, lane_max(min_lanes(peak_[i * blocks + b],
-                                                                   peak_[j * blocks + b])));
-                    }
-                    const auto add = [&](const OrderValues& values) {
-                        for (std::size_t b = 0; b < blocks; ++b)
-                            rows.push_back(values[at + b] / scale);
-                    };
-                    add(multiple_[l]);
-                    if (interface_) add(single_[l]);
-                }
-            }
-        }
-        return rows;
-    }
-
-    // By how much values of an order that is known err, relative to the peaks. `single` is empty but
-    // under a rough interface.
-    double error_of(int l, OrderValues multiple, OrderValues single) const {
-        for (std::size_t k = 0; k < multiple.size(); ++k) multiple[k] -= multiple_[l][k];
-        for (std::size_t k = 0; k < single.size(); ++k) single[k] -= single_[l][k];
-        return size_of(l, multiple, single);
-    }
-
-    void solve_orders(std::span<const int> orders) {
-        if (!few_) return solve_all(orders);
-        few_->solve_orders(orders);
-        const std::size_t needed = orders.empty() ? 0 : orders.back() + 1;
-        multiple_.resize(std::max(multiple_.size(), needed));
-        single_.resize(multiple_.size());
-        parallel_for(std::size_t{0}, orders.size(), [&](std::size_t k) {
-            const int l = orders[k];
-            multiple_[l] = representatives_->at_all(few_->multiple_[l]);
-            if (interface_) single_[l] = representatives_->at_all(few_->single_[l]);
-        });
-    }
-
-    // At all wavelengths, in parallel.
-    void solve_all(std::span<const int> orders) {
-        const std::size_t blocks = blocks_.size();
-        const std::size_t needed = orders.empty() ? 0 : orders.back() + 1;
-        multiple_.resize(std::max(multiple_.size(), needed));
-        single_.resize(multiple_.size());
-        for (int l : orders) {
-            const std::size_t pairs = triangle(directions_.exit_count - first_[l]);
-            multiple_[l].resize(pairs * blocks);
-            if (interface_) single_[l].resize(pairs * blocks);
-        }
-        parallel_for(0, orders.size() * blocks, [&](std::size_t task) {
-            work_.require_going(kSolving);
-            const int l = orders[task / blocks];
-            const std::size_t b = task % blocks;
-            const std::size_t pairs = multiple_[l].size() / blocks;
-            OrderWorkspace& work = workspaces_.local();
-            LaneBuffer values(interface_ ? 2 * pairs : pairs);
-            if (interface_) {
-                solve_rough_order(blocks_[b], interface_->order(l), directions_, l, work,
-                                  values.data() + pairs, values.data());
-            } else {
-                solve_order(blocks_[b], directions_, active_, l, work, values.data());
-            }
-            DoubleLanes broken{};  // 0; not a number where a result is not finite
-            for (const DoubleLanes& value : values) broken += value - value;
-            if (!(lane_sum(broken) == 0)) {
-                throw Error(fmt::format(
-                    "the solver broke down in azimuthal order {}: a result is not finite; "
-                    "please report the recipe",
-                    l));
-            }
-            for (std::size_t pair = 0; pair < pairs; ++pair) {
-                multiple_[l][pair * blocks + b] = values[pair];
-                if (interface_) single_[l][pair * blocks + b] = values[pairs + pair];
-            }
-            work_.add();
-        });
-    }
-
-    OrderValues interpolated(int l, const std::vector<OrderValues>& known) const {
-        return interpolate_order(l, known, first_, directions_.exit_count,
-                                 static_cast<int>(blocks_.size()));
-    }
-
-    // Orders that were left out: first those at the largest distance from their neighbours, from
-    // which the others are interpolated then. Of each stretch one is solved too, to see whether this
-    // paint is as smooth as flakes are; if not, all.
-    void interpolate_orders(double tolerance) {
-        const std::vector<int> probes = probe_orders(orders());
-        for (auto probe = probes.rbegin(); probe != probes.rend(); ++probe) {
-            const int distance = *probe & -*probe;
-            OrderValues multiple = interpolated(*probe, multiple_), single;
-            if (interface_) single = interpolated(*probe, single_);
-            solve_orders({&*probe, 1});
-            std::vector<int> left_out;
-            for (int l = *probe; l < std::min(2 * (*probe - distance), orders()); ++l) {
-                if (multiple_[l].empty()) left_out.push_back(l);
-            }
-            const double error = 2.0 * static_cast<double>(left_out.size() + 1) *
-                                 error_of(*probe, std::move(multiple), std::move(single));
-            if (error > kInterpolationShare * tolerance) solve_orders(left_out);
-            std::vector<int> between;
-            for (int l = distance; l < orders(); l += 2 * distance) {
-                if (multiple_[l].empty()) between.push_back(l);
-            }
-            parallel_for(0, between.size(), [&](std::size_t k) {
-                const int l = between[k];
-                OrderValues values = interpolated(l, multiple_);
-                if (interface_) single_[l] = interpolated(l, single_);
-                multiple_[l] = std::move(values);
-            });
-        }
-    }
-
-    // [order][pair][block] as [order][pair][wavelength].
-    std::vector<double> unpack(const std::vector<OrderValues>& from) const {
-        const std::size_t blocks = blocks_.size();
-        std::vector<double> out;
-        std::size_t count = 0;
-        for (const OrderValues& values : from) count += values.size() / blocks * wavelengths_;
-        out.reserve(count);
-        for (const OrderValues& values : from) {
-            for (std::size_t at = 0; at < values.size(); at += blocks) {
-                const auto* const lanes = reinterpret_cast<const double*>(&values[at]);
-                out.insert(out.end(), lanes, lanes + wavelengths_);
-            }
-        }
-        return out;
-    }
-
-    // What interpolation between orders may add to the error, of the tolerance.
-    static constexpr double kInterpolationShare = 0.1;
-    // Of the representatives. More take longer to find than most paints take to be solved.
-    static constexpr int kMostBlocksOfFew = 2;
-    // By how much representative wavelengths may err in each order, of the tolerance: a thousandth of
-    // what compress() may, as at dark angles the errors of all orders show.
-    static constexpr double kRepresentativesShare = 1e-4;
-
-    int orders() const { return static_cast<int>(multiple_.size()); }
-
-    PaintMedium medium_;
-    Resolution resolution_;
-    InternalReflection internal_;
-    SharedProgress& work_;
-    Directions directions_;
-    ActiveNodes active_;
-    std::shared_ptr<const RoughInterfaceOperators> interface_;  // if rough
-    int wavelengths_;
-    std::vector<FourierKernel> kernels_;  // by layer
-    std::vector<PaintBlock> blocks_;
-    LaneBuffer peak_;  // [exit node][block]
-    tbb::enumerable_thread_specific<OrderWorkspace> workspaces_;
-    std::vector<int> first_;  // by order: the first active node
-    // By order; empty where it is not known. The second under a rough interface.
-    std::vector<OrderValues> multiple_, single_;
-    // Those of which further orders are solved, if not all.
-    std::unique_ptr<GroupSolver> few_;
-    std::optional<RepresentativeWavelengths> representatives_;
-};
-
-// The peak of the memory that a solution takes, in bytes: the kernels and values of the group that is
-// being solved, and the values of all groups three times (by group, together, and the residual of
-// their compression).
+// The peak of the memory that a solution takes, in bytes: the group that is being solved, and the
+// values of all groups three times (by group, together, and the residual of their compression).
 std::size_t memory_of(const PaintMedium& medium, const WavelengthGroups& groups,
                       const Resolution& resolution) {
-    const auto wavelengths = static_cast<std::size_t>(medium.wavelength_count());
-    const std::size_t tensors = medium.roughness > 0 ? 2 : 1;
-    std::size_t solving = 0, pairs = 0;
+    std::size_t solving = 0, values = 0;
     for (const WavelengthGroup& group : groups) {
-        const Directions d = make_directions(medium.ior[group.members[0]], resolution.exit_nodes,
-                                             resolution.inner_nodes);
-        const ActiveNodes active(d, resolution.lobe_alpha, resolution.orders);
-        const std::size_t of_group = exit_pairs(d, active);
-        const std::size_t blocks = paint::block_count(static_cast<int>(group.distinct.size()));
-        const std::size_t of_representatives = blocks / 2;
-        solving = std::max(solving, (blocks + of_representatives) *
-                                        (FourierKernel::bytes(d, active) * medium.layers.size() +
-                                         tensors * of_group * sizeof(DoubleLanes)));
-        pairs = std::max(pairs, of_group);
+        const GroupMemory memory = group_memory(
+            medium, group.members[0], static_cast<int>(group.distinct.size()), resolution);
+        solving = std::max(solving, memory.solving);
+        values = std::max(values, memory.values);
     }
-    const std::size_t values = tensors * pairs * wavelengths * sizeof(double);
+    values *= static_cast<std::size_t>(medium.wavelength_count());
     return std::max(solving, 2 * values) + values;
 }
 
@@ -441,15 +50,14 @@ void solve_medium(SolvedPaint& paint, const Progress& progress,
             "solve fewer wavelengths at a time, or set fewer nodes and orders");
         double total = 0;
         for (const WavelengthGroup& group : groups) {
-            total += GroupSolver::work(static_cast<int>(group.distinct.size()), resolution);
+            total += group_work(static_cast<int>(group.distinct.size()), resolution);
         }
         SharedProgress work(progress, total);
         solutions.clear();
         unresolved = tail = 0;
         for (const WavelengthGroup& group : groups) {
-            GroupSolver solver(select_wavelengths(paint.medium, group.distinct), resolution,
-                               internal, work);
-            solutions.push_back(solver.run(settings.tolerance));
+            solutions.push_back(solve_group(select_wavelengths(paint.medium, group.distinct),
+                                            resolution, internal, settings.tolerance, work));
             unresolved = std::max(unresolved, solutions.back().unresolved_scattering);
             tail = std::max(tail, solutions.back().azimuthal_tail);
         }
