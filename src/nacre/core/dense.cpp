@@ -5,6 +5,9 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <numeric>
+#include <utility>
+
+#include "nacre/core/parallel.h"
 
 namespace nacre {
 
@@ -62,6 +65,19 @@ void add_product_with_transposed(RowMajorMatrix& to, const RowMajorView& a, cons
     to.noalias() += a * b.transpose();
 }
 
-Eigen::MatrixXd gram_matrix(const RowMajorView& a) { return a.transpose() * a; }
+Eigen::MatrixXd gram_matrix(const RowMajorView& a) {
+    // Of so many rows at least each, and not of fewer for more threads, which would round otherwise.
+    constexpr Eigen::Index kRows = 2048, kMostPieces = 16;
+    const Eigen::Index pieces = std::clamp<Eigen::Index>(a.rows() / kRows, 1, kMostPieces);
+    std::vector<Eigen::MatrixXd> sums(pieces);
+    parallel_for(0, sums.size(), [&](std::size_t k) {
+        const auto from = [&](Eigen::Index piece) { return a.rows() * piece / pieces; };
+        const auto piece = static_cast<Eigen::Index>(k);
+        const auto rows = a.middleRows(from(piece), from(piece + 1) - from(piece));
+        sums[k].noalias() = rows.transpose() * rows;
+    });
+    for (std::size_t k = 1; k < sums.size(); ++k) sums[0] += sums[k];
+    return std::move(sums[0]);
+}
 
 }  // namespace nacre

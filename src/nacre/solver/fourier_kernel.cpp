@@ -34,11 +34,13 @@ struct PairScratch {
     }
 };
 
-// kappa_l, l < orders, of flakes for the travel cosines mu_i and sign * mu_j, added to
-// out(block, l).
+// kappa_l of flakes for the travel cosines mu_i and sign * mu_j, given to out(block, l). Nodes follow
+// `all_orders` that the pair has, so that an order does not depend on what is asked with it.
 template <class Out>
 void transform_pair(const FlakeMedium& flake, double mu_i, double s_i, double mu_j, double s_j,
-                    bool opposite, int orders, int blocks, PairScratch& scratch, Out&& out) {
+                    bool opposite, int all_orders, OrderRange orders, int blocks,
+                    PairScratch& scratch, Out&& out) {
+    if (orders.begin >= orders.end) return;
     const double delta = opposite ? mu_i + mu_j : std::abs(mu_i - mu_j);
     if (delta == 0.0) return;  // kappa_l -> 0 with |delta|
     const double across = (opposite ? mu_i - mu_j : mu_i + mu_j) / (s_i + s_j);
@@ -48,7 +50,7 @@ void transform_pair(const FlakeMedium& flake, double mu_i, double s_i, double mu
     const double along2 = 4 * s_i * s_j / (delta * delta);
     const double reach = along2 > 0 ? std::sqrt(kNegligible * a2 / along2) : 1.0;
     const double phi_max = reach < 1 ? 2 * std::asin(reach) : std::numbers::pi;
-    const int count = 8 * ((16 + static_cast<int>(0.6 * orders * phi_max) + 7) / 8);
+    const int count = 8 * ((16 + static_cast<int>(0.6 * all_orders * phi_max) + 7) / 8);
     const Quadrature& rule = unit_gauss_legendre(count);
     scratch.resize(count, blocks);
     for (int k = 0; k < count; ++k) {
@@ -68,7 +70,7 @@ void transform_pair(const FlakeMedium& flake, double mu_i, double s_i, double mu
             value[k] = scratch.weight[k] * flake.table.reflectance(scratch.cosine[k], b);
         }
     }
-    for (int l = 0; l < orders; l += kOrdersAtOnce) {
+    for (int l = 0; l < orders.end; l += kOrdersAtOnce) {
         for (std::vector<double>& harmonic : scratch.harmonic) {
             for (int k = 0; k < count; ++k) {
                 harmonic[k] = scratch.now[k];
@@ -77,6 +79,7 @@ void transform_pair(const FlakeMedium& flake, double mu_i, double s_i, double mu
                 scratch.now[k] = next;
             }
         }
+        if (l + kOrdersAtOnce <= orders.begin) continue;
         for (int b = 0; b < blocks; ++b) {
             const DoubleLanes* const value =
                 scratch.value.data() + static_cast<std::size_t>(b) * count;
@@ -90,7 +93,8 @@ void transform_pair(const FlakeMedium& flake, double mu_i, double s_i, double mu
                     }
                 }
             }
-            for (int i = 0; i < std::min(kOrdersAtOnce, orders - l); ++i) {
+            for (int i = std::max(0, orders.begin - l); i < std::min(kOrdersAtOnce, orders.end - l);
+                 ++i) {
                 DoubleLanes of_order;
                 for (int part = 0; part < kRegisters; ++part) store(sum[i][part], &of_order, part);
                 out(b, l + i, of_order);
@@ -127,9 +131,11 @@ ActiveNodes::ActiveNodes(const Directions& d, double alpha, int orders) {
 }
 
 FourierKernel::FourierKernel(const LayerMedium& layer, const Directions& d,
-                             const ActiveNodes& active, int blocks, SharedProgress* work) {
+                             const ActiveNodes& active, int blocks, SharedProgress* work,
+                             OrderRange orders)
+    : orders_{orders.begin, std::min(orders.end, active.orders())} {
     std::size_t total = 0;
-    for (int l = 0; l < active.orders(); ++l) {
+    for (int l = orders_.begin; l < orders_.end; ++l) {
         offset_.push_back(total);
         total += triangle(d.size() - active.first(l));
     }
@@ -154,13 +160,14 @@ void FourierKernel::add_flakes(const FlakeMedium& flake, const Directions& d,
         const double s_i = std::sqrt((1 - d.mu[i]) * (1 + d.mu[i]));
         for (int j = 0; j <= i; ++j) {
             const double s_j = std::sqrt((1 - d.mu[j]) * (1 + d.mu[j]));
-            const int orders = std::min(active.order_count(i), active.order_count(j));
+            const int shared = std::min(active.order_count(i), active.order_count(j));
+            const OrderRange orders{orders_.begin, std::min(orders_.end, shared)};
             for (const bool opposite : {false, true}) {
                 auto& kernel = opposite ? opposite_ : same_;  // [block]
-                transform_pair(flake, d.mu[i], s_i, d.mu[j], s_j, opposite, orders, blocks, scratch,
-                               [&](int block, int l, const DoubleLanes& value) {
+                transform_pair(flake, d.mu[i], s_i, d.mu[j], s_j, opposite, shared, orders, blocks,
+                               scratch, [&](int block, int l, const DoubleLanes& value) {
                                    const int first = active.first(l);
-                                   kernel[block][offset_[l] + triangle(i - first) + j - first] +=
+                                   kernel[block][offset(l) + triangle(i - first) + j - first] +=
                                        narrow(value);
                                });
             }
@@ -215,38 +222,38 @@ void FourierKernel::add_legendre(const std::vector<T>& series, const DoubleLanes
     // sum over n >= l of the terms times Lambda_n^l(mu_i) Lambda_n^l(mu_j), Lambda the Legendre
     // functions normalised by sqrt((n - l)!/(n + l)!).        [chandrasekhar-1960, sec. 48]
     const int degrees = static_cast<int>(series.size());
-    const int orders = std::min(active.orders(), degrees);
-    parallel_for(0, orders, [&](int l) {
-        if (work) work->require_going(kSolving);
-        const int first = active.first(l), m = d.size() - first;
-        const int terms = degrees - l;
-        std::vector<double> lambda(static_cast<std::size_t>(m) * terms);
-        for (int i = 0; i < m; ++i) {
-            const double mu = d.mu[first + i], s = std::sqrt((1 - mu) * (1 + mu));
-            double* value = lambda.data() + static_cast<std::size_t>(i) * terms;
-            value[0] = 1.0;
-            for (int k = 1; k <= l; ++k) value[0] *= s * std::sqrt((2 * k - 1) / (2.0 * k));
-            if (terms > 1) value[1] = std::sqrt(2.0 * l + 1) * mu * value[0];
-            for (int k = 2; k < terms; ++k) {
-                const double n = l + k;
-                value[k] = ((2 * n - 1) * mu * value[k - 1] -
-                            std::sqrt((n - 1) * (n - 1) - 1.0 * l * l) * value[k - 2]) /
-                           std::sqrt(n * n - 1.0 * l * l);
+    parallel_for(
+        orders_.begin, std::max(orders_.begin, std::min(orders_.end, degrees)), [&](int l) {
+            if (work) work->require_going(kSolving);
+            const int first = active.first(l), m = d.size() - first;
+            const int terms = degrees - l;
+            std::vector<double> lambda(static_cast<std::size_t>(m) * terms);
+            for (int i = 0; i < m; ++i) {
+                const double mu = d.mu[first + i], s = std::sqrt((1 - mu) * (1 + mu));
+                double* value = lambda.data() + static_cast<std::size_t>(i) * terms;
+                value[0] = 1.0;
+                for (int k = 1; k <= l; ++k) value[0] *= s * std::sqrt((2 * k - 1) / (2.0 * k));
+                if (terms > 1) value[1] = std::sqrt(2.0 * l + 1) * mu * value[0];
+                for (int k = 2; k < terms; ++k) {
+                    const double n = l + k;
+                    value[k] = ((2 * n - 1) * mu * value[k - 1] -
+                                std::sqrt((n - 1) * (n - 1) - 1.0 * l * l) * value[k - 2]) /
+                               std::sqrt(n * n - 1.0 * l * l);
+                }
             }
-        }
-        for (int i = 0; i < m; ++i) {
-            for (int j = 0; j <= i; ++j) {
-                const double* a = lambda.data() + static_cast<std::size_t>(i) * terms;
-                const double* b = lambda.data() + static_cast<std::size_t>(j) * terms;
-                T even{}, odd{};
-                for (int k = 0; k < terms; k += 2) even += series[l + k] * (a[k] * b[k]);
-                for (int k = 1; k < terms; k += 2) odd += series[l + k] * (a[k] * b[k]);
-                const std::size_t at = offset_[l] + triangle(i) + j;
-                same_[block][at] += narrow((even + odd) * scattering);
-                opposite_[block][at] += narrow((even - odd) * scattering);
+            for (int i = 0; i < m; ++i) {
+                for (int j = 0; j <= i; ++j) {
+                    const double* a = lambda.data() + static_cast<std::size_t>(i) * terms;
+                    const double* b = lambda.data() + static_cast<std::size_t>(j) * terms;
+                    T even{}, odd{};
+                    for (int k = 0; k < terms; k += 2) even += series[l + k] * (a[k] * b[k]);
+                    for (int k = 1; k < terms; k += 2) odd += series[l + k] * (a[k] * b[k]);
+                    const std::size_t at = offset(l) + triangle(i) + j;
+                    same_[block][at] += narrow((even + odd) * scattering);
+                    opposite_[block][at] += narrow((even - odd) * scattering);
+                }
             }
-        }
-    });
+        });
 }
 
 }  // namespace nacre::solver

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "nacre/core/lanes.h"
@@ -39,25 +40,31 @@ class ActiveNodes {
     std::vector<int> first_, order_count_;
 };
 
+/// Azimuthal orders from `begin` on, below `end`.
+struct OrderRange {
+    int begin = 0, end = std::numeric_limits<int>::max();
+};
+
 /// kappa_l of one layer by block of eight wavelengths, in 1/(um sr). Single precision: the
 /// solver takes extinction from the sums of these very numbers, so that rounding costs no energy.
 class FourierKernel {
  public:
-    /// Of the first `blocks` blocks.
+    /// Of the first `blocks` blocks, those of `orders` that the active nodes have.
     /// @throws Error if `work`, where given, is stopped
     FourierKernel(const LayerMedium& layer, const Directions& directions, const ActiveNodes& active,
-                  int blocks, SharedProgress* work = nullptr);
+                  int blocks, SharedProgress* work = nullptr, OrderRange orders = {});
 
-    /// Memory that one block takes, in bytes.
+    /// Memory that one block of all orders takes, in bytes.
     static std::size_t bytes(const Directions& directions, const ActiveNodes& active);
 
     /// Rows i >= j of order l, both counted from active.first(l): element i (i + 1)/2 + j.
-    const FloatLanes* same(int block, int l) const { return same_[block].data() + offset_[l]; }
+    const FloatLanes* same(int block, int l) const { return same_[block].data() + offset(l); }
     const FloatLanes* opposite(int block, int l) const {
-        return opposite_[block].data() + offset_[l];
+        return opposite_[block].data() + offset(l);
     }
 
  private:
+    std::size_t offset(int l) const { return offset_[l - orders_.begin]; }
     void add_flakes(const FlakeMedium& flake, const Directions& d, const ActiveNodes& active,
                     SharedProgress* work);
     void add_pigment(const PigmentMedium& pigment, const Directions& d, const ActiveNodes& active,
@@ -69,7 +76,8 @@ class FourierKernel {
                       const Directions& d, const ActiveNodes& active, int block,
                       SharedProgress* work);
 
-    std::vector<std::size_t> offset_;
+    OrderRange orders_;
+    std::vector<std::size_t> offset_;                       // by order of the range
     std::vector<std::vector<FloatLanes>> same_, opposite_;  // [block]
 };
 

@@ -22,14 +22,24 @@ namespace nacre::solver {
 
 namespace {
 
+// Orders after which few wavelengths are looked for that tell all others.
+constexpr int kFirstOrders = 8;
+// Of these. More take longer to find than most paints take to be solved.
+constexpr int kMostBlocksOfFew = 2;
+
 // Making a block takes the time of about so many of its orders.
 constexpr int kBlockWork = 10;
 
 // Solves wavelengths that share one index of the binder.
 class GroupSolver {
  public:
+    // By order from 0 on, as members below.
+    struct KnownOrders {
+        std::vector<OrderValues> multiple, single;
+    };
+
     GroupSolver(PaintMedium medium, const Resolution& resolution, InternalReflection internal,
-                SharedProgress& work)
+                SharedProgress& work, KnownOrders known = {})
         : medium_(std::move(medium)),
           resolution_(resolution),
           internal_(internal),
@@ -38,7 +48,8 @@ class GroupSolver {
               make_directions(medium_.ior[0], resolution.exit_nodes, resolution.inner_nodes)),
           active_(directions_, resolution.lobe_alpha, resolution.orders),
           wavelengths_(medium_.wavelength_count()),
-          workspaces_([this] { return OrderWorkspace(directions_.size()); }) {
+          workspaces_([this] { return OrderWorkspace(directions_.size()); }),
+          known_(std::move(known)) {
         const bool rough = medium_.roughness > 0 && directions_.ior > 1;
         if (rough) {
             interface_ = rough_interface_operators(directions_, active_, medium_.roughness);
@@ -48,11 +59,10 @@ class GroupSolver {
         }
         const int lit = rough ? directions_.size() : directions_.exit_count;
         blocks_.resize(paint::block_count(wavelengths_));
+        few_may_do_ = known_.multiple.empty() && may_be_few();
+        make_kernels(few_may_do_ ? OrderRange{0, kFirstOrders} : OrderRange{});
         std::vector<std::vector<Losses>> losses;  // [layer][node]
-        kernels_.reserve(medium_.layers.size());
         for (const LayerMedium& layer : medium_.layers) {
-            kernels_.emplace_back(layer, directions_, active_, static_cast<int>(blocks_.size()),
-                                  &work_);
             std::vector<Losses>& by_node = losses.emplace_back(directions_.size());
             parallel_for(0, directions_.size(), [&](int i) {
                 work_.require_going(kSolving);
@@ -78,7 +88,6 @@ class GroupSolver {
     GroupSolution run(double tolerance) {
         constexpr std::size_t kChunk = 4;
         GroupSolution out;
-        out.wavelength_count = wavelengths_;
         out.exit_angle = directions_.exit_angle;
         out.inner_nodes = directions_.size() - directions_.exit_count;
         for (const PaintBlock& block : blocks_) {
@@ -93,8 +102,11 @@ class GroupSolver {
         const std::vector<int> sequence = solved_orders(static_cast<int>(first_.size()));
         double last_chunk = 0;
         for (std::size_t from = 0; from < sequence.size(); from += kChunk) {
-            if (from == 2 * kChunk) {
-                look_for_few(std::span(sequence).first(from), sequence[kChunk - 1], tolerance);
+            if (from == kFirstOrders && few_may_do_) {
+                if (auto few = representatives(sequence[kChunk - 1], tolerance)) {
+                    return solve_few(std::move(*few), out.unresolved_scattering, tolerance);
+                }
+                make_kernels({.begin = kFirstOrders});
             }
             const auto chunk_orders =
                 std::span(sequence).subspan(from, std::min(kChunk, sequence.size() - from));
@@ -104,7 +116,7 @@ class GroupSolver {
                 // Each stands for those up to the next, too.
                 const double stands_for = next_solved_order(l + 1) - l;
                 raise_peaks(l, stands_for);
-                chunk += 2 * stands_for * size_of(l, multiple_[l], single_[l]);
+                chunk += 2 * stands_for * size_of(l, known_.multiple[l], known_.single[l]);
             }
             // Sum of the omitted orders, extrapolated as a geometric series from the last two
             // chunks.
@@ -115,12 +127,22 @@ class GroupSolver {
         }
         interpolate_orders(tolerance);
         out.first.assign(first_.begin(), first_.begin() + orders());
-        out.values = unpack(multiple_);
-        if (interface_) out.single_values = unpack(single_);
+        out.values = std::move(known_.multiple);
+        if (interface_) out.single_values = std::move(known_.single);
         return out;
     }
 
  private:
+    // Of the layers, in the place of those before, to which blocks point.
+    void make_kernels(OrderRange orders) {
+        kernels_.clear();
+        kernels_.reserve(medium_.layers.size());
+        for (const LayerMedium& layer : medium_.layers) {
+            kernels_.emplace_back(layer, directions_, active_, static_cast<int>(blocks_.size()),
+                                  &work_, orders);
+        }
+    }
+
     // The scale of the tolerance: the BRDF in the specular direction of each exit node, by single
     // scattering alone, a lower bound.
     void set_peaks() {
@@ -152,8 +174,8 @@ class GroupSolver {
             for (int j = 0; j <= i; ++j) {
                 DoubleLanes* const peak_j = peak_.data() + (first + j) * blocks;
                 for (std::size_t b = 0; b < blocks; ++b, ++at) {
-                    DoubleLanes value = multiple_[order][at];
-                    if (interface_) value += single_[order][at];
+                    DoubleLanes value = known_.multiple[order][at];
+                    if (interface_) value += known_.single[order][at];
                     if (interface_ && i == j) peak_i[b] += (order ? 2 * stands_for : 1.0) * value;
                     if (order > 0) continue;
                     peak_i[b] = max_lanes(peak_i[b], value);
@@ -186,27 +208,55 @@ class GroupSolver {
         return lane_max(size);
     }
 
-    // Has further orders solved at representative wavelengths alone if these tell the known ones at all
-    // others. They are chosen by order 0 and one more; orders err less the higher they are.
-    void look_for_few(std::span<const int> known, int one_more, double tolerance) {
-        const auto blocks = static_cast<int>(blocks_.size());
-        if (blocks == 1) return;
+    int most_blocks_of_few() const {
+        return std::min(static_cast<int>(blocks_.size()) / 2, kMostBlocksOfFew);
+    }
+
+    // Whether the spectra of what the paint is made of are so few that those of its orders may be.
+    bool may_be_few() const {
+        const int most = most_blocks_of_few();
+        return most > 0 && may_be_represented(spectra_of(medium_), wavelengths_, most * kLanes);
+    }
+
+    // Wavelengths that tell all others in the known orders. They are chosen by order 0 and one more;
+    // orders err less the higher they are.
+    std::optional<RepresentativeWavelengths> representatives(int one_more, double tolerance) const {
         const LaneBuffer rows = scaled_rows({{0, one_more}});
-        for (int few = 1; few <= std::min(blocks / 2, kMostBlocksOfFew); ++few) {
+        for (int few = 1; few <= most_blocks_of_few(); ++few) {
             if (!may_be_represented(rows, wavelengths_, few * kLanes)) continue;
             RepresentativeWavelengths found(rows, wavelengths_, few * kLanes);
-            if (found.wavelengths().empty()) return;  // all is black
-            const bool suffice = std::all_of(known.begin(), known.end(), [&](int l) {
-                return error_of(l, found.again(multiple_[l]),
-                                interface_ ? found.again(single_[l]) : OrderValues{}) <
-                       kRepresentativesShare * tolerance;
-            });
-            if (!suffice) continue;
-            few_ = std::make_unique<GroupSolver>(select_wavelengths(medium_, found.wavelengths()),
-                                                 resolution_, internal_, work_);
-            representatives_.emplace(std::move(found));
-            return;
+            if (found.wavelengths().empty()) break;  // all is black
+            double error = 0;
+            for (int l = 0; l < orders(); ++l) {
+                OrderValues single;
+                if (interface_) single = found.again(known_.single[l]);
+                error = std::max(error,
+                                 error_of(l, found.again(known_.multiple[l]), std::move(single)));
+            }
+            if (error < kRepresentativesShare * tolerance) return found;
         }
+        return {};
+    }
+
+    // Solves further orders at these wavelengths alone.
+    GroupSolution solve_few(RepresentativeWavelengths few, double unresolved, double tolerance) {
+        KnownOrders known;
+        known.single.resize(known_.single.size());
+        for (int l = 0; l < orders(); ++l) {
+            known.multiple.push_back(few.chosen(known_.multiple[l]));
+            if (interface_) known.single[l] = few.chosen(known_.single[l]);
+        }
+        GroupSolver solver(select_wavelengths(medium_, few.wavelengths()), resolution_, internal_,
+                           work_, std::move(known));
+        GroupSolution out = solver.run(tolerance);
+        out.unresolved_scattering = std::max(out.unresolved_scattering, unresolved);
+        out.representatives = std::move(few);
+        out.represented_from = orders();
+        std::move(known_.multiple.begin(), known_.multiple.end(), out.values.begin());
+        if (interface_) {
+            std::move(known_.single.begin(), known_.single.end(), out.single_values.begin());
+        }
+        return out;
     }
 
     // Values of orders, those of each pair over its largest peak: [row][block].
@@ -226,8 +276,8 @@ class GroupSolver {
                         for (std::size_t b = 0; b < blocks; ++b)
                             rows.push_back(values[at + b] / scale);
                     };
-                    add(multiple_[l]);
-                    if (interface_) add(single_[l]);
+                    add(known_.multiple[l]);
+                    if (interface_) add(known_.single[l]);
                 }
             }
         }
@@ -237,40 +287,32 @@ class GroupSolver {
     // By how much values of an order that is known err, relative to the peaks. `single` is empty but
     // under a rough interface.
     double error_of(int l, OrderValues multiple, OrderValues single) const {
-        for (std::size_t k = 0; k < multiple.size(); ++k) multiple[k] -= multiple_[l][k];
-        for (std::size_t k = 0; k < single.size(); ++k) single[k] -= single_[l][k];
+        for (std::size_t k = 0; k < multiple.size(); ++k) multiple[k] -= known_.multiple[l][k];
+        for (std::size_t k = 0; k < single.size(); ++k) single[k] -= known_.single[l][k];
         return size_of(l, multiple, single);
     }
 
-    void solve_orders(std::span<const int> orders) {
-        if (!few_) return solve_all(orders);
-        few_->solve_orders(orders);
-        const std::size_t needed = orders.empty() ? 0 : orders.back() + 1;
-        multiple_.resize(std::max(multiple_.size(), needed));
-        single_.resize(multiple_.size());
-        parallel_for(std::size_t{0}, orders.size(), [&](std::size_t k) {
-            const int l = orders[k];
-            multiple_[l] = representatives_->at_all(few_->multiple_[l]);
-            if (interface_) single_[l] = representatives_->at_all(few_->single_[l]);
-        });
-    }
-
-    // At all wavelengths, in parallel.
-    void solve_all(std::span<const int> orders) {
+    // In parallel, those that are not known.
+    void solve_orders(std::span<const int> wanted) {
+        std::vector<int> orders;
+        for (int l : wanted) {
+            if (l >= this->orders() || known_.multiple[l].empty()) orders.push_back(l);
+        }
+        if (orders.empty()) return;
         const std::size_t blocks = blocks_.size();
-        const std::size_t needed = orders.empty() ? 0 : orders.back() + 1;
-        multiple_.resize(std::max(multiple_.size(), needed));
-        single_.resize(multiple_.size());
+        const std::size_t needed = orders.back() + 1;
+        known_.multiple.resize(std::max(known_.multiple.size(), needed));
+        known_.single.resize(known_.multiple.size());
         for (int l : orders) {
             const std::size_t pairs = triangle(directions_.exit_count - first_[l]);
-            multiple_[l].resize(pairs * blocks);
-            if (interface_) single_[l].resize(pairs * blocks);
+            known_.multiple[l].resize(pairs * blocks);
+            if (interface_) known_.single[l].resize(pairs * blocks);
         }
         parallel_for(0, orders.size() * blocks, [&](std::size_t task) {
             work_.require_going(kSolving);
             const int l = orders[task / blocks];
             const std::size_t b = task % blocks;
-            const std::size_t pairs = multiple_[l].size() / blocks;
+            const std::size_t pairs = known_.multiple[l].size() / blocks;
             OrderWorkspace& work = workspaces_.local();
             LaneBuffer values(interface_ ? 2 * pairs : pairs);
             if (interface_) {
@@ -288,8 +330,8 @@ class GroupSolver {
                     l));
             }
             for (std::size_t pair = 0; pair < pairs; ++pair) {
-                multiple_[l][pair * blocks + b] = values[pair];
-                if (interface_) single_[l][pair * blocks + b] = values[pairs + pair];
+                known_.multiple[l][pair * blocks + b] = values[pair];
+                if (interface_) known_.single[l][pair * blocks + b] = values[pairs + pair];
             }
             work_.add();
         });
@@ -307,54 +349,36 @@ class GroupSolver {
         const std::vector<int> probes = probe_orders(orders());
         for (auto probe = probes.rbegin(); probe != probes.rend(); ++probe) {
             const int distance = *probe & -*probe;
-            OrderValues multiple = interpolated(*probe, multiple_), single;
-            if (interface_) single = interpolated(*probe, single_);
+            OrderValues multiple = interpolated(*probe, known_.multiple), single;
+            if (interface_) single = interpolated(*probe, known_.single);
             solve_orders({&*probe, 1});
             std::vector<int> left_out;
             for (int l = *probe; l < std::min(2 * (*probe - distance), orders()); ++l) {
-                if (multiple_[l].empty()) left_out.push_back(l);
+                if (known_.multiple[l].empty()) left_out.push_back(l);
             }
             const double error = 2.0 * static_cast<double>(left_out.size() + 1) *
                                  error_of(*probe, std::move(multiple), std::move(single));
             if (error > kInterpolationShare * tolerance) solve_orders(left_out);
             std::vector<int> between;
             for (int l = distance; l < orders(); l += 2 * distance) {
-                if (multiple_[l].empty()) between.push_back(l);
+                if (known_.multiple[l].empty()) between.push_back(l);
             }
             parallel_for(0, between.size(), [&](std::size_t k) {
                 const int l = between[k];
-                OrderValues values = interpolated(l, multiple_);
-                if (interface_) single_[l] = interpolated(l, single_);
-                multiple_[l] = std::move(values);
+                OrderValues values = interpolated(l, known_.multiple);
+                if (interface_) known_.single[l] = interpolated(l, known_.single);
+                known_.multiple[l] = std::move(values);
             });
         }
     }
 
-    // [order][pair][block] as [order][pair][wavelength].
-    std::vector<double> unpack(const std::vector<OrderValues>& from) const {
-        const std::size_t blocks = blocks_.size();
-        std::vector<double> out;
-        std::size_t count = 0;
-        for (const OrderValues& values : from) count += values.size() / blocks * wavelengths_;
-        out.reserve(count);
-        for (const OrderValues& values : from) {
-            for (std::size_t at = 0; at < values.size(); at += blocks) {
-                const auto* const lanes = reinterpret_cast<const double*>(&values[at]);
-                out.insert(out.end(), lanes, lanes + wavelengths_);
-            }
-        }
-        return out;
-    }
-
     // What interpolation between orders may add to the error, of the tolerance.
     static constexpr double kInterpolationShare = 0.1;
-    // Of the representatives. More take longer to find than most paints take to be solved.
-    static constexpr int kMostBlocksOfFew = 2;
     // By how much representative wavelengths may err in each order, of the tolerance: a thousandth of
     // what compress() may, as at dark angles the errors of all orders show.
     static constexpr double kRepresentativesShare = 1e-4;
 
-    int orders() const { return static_cast<int>(multiple_.size()); }
+    int orders() const { return static_cast<int>(known_.multiple.size()); }
 
     PaintMedium medium_;
     Resolution resolution_;
@@ -369,11 +393,9 @@ class GroupSolver {
     LaneBuffer peak_;  // [exit node][block]
     tbb::enumerable_thread_specific<OrderWorkspace> workspaces_;
     std::vector<int> first_;  // by order: the first active node
+    bool few_may_do_ = false;
     // By order; empty where it is not known. The second under a rough interface.
-    std::vector<OrderValues> multiple_, single_;
-    // Those of which further orders are solved, if not all.
-    std::unique_ptr<GroupSolver> few_;
-    std::optional<RepresentativeWavelengths> representatives_;
+    KnownOrders known_;
 };
 
 // Pairs of active exit nodes, of all orders.
@@ -399,8 +421,8 @@ double group_work(int wavelengths, const Resolution& resolution) {
 
 GroupMemory group_memory(const PaintMedium& paint, int first_wavelength, int wavelengths,
                          const Resolution& resolution) {
-    const Directions d = make_directions(paint.ior[first_wavelength], resolution.exit_nodes,
-                                         resolution.inner_nodes);
+    const Directions d =
+        make_directions(paint.ior[first_wavelength], resolution.exit_nodes, resolution.inner_nodes);
     const ActiveNodes active(d, resolution.lobe_alpha, resolution.orders);
     const std::size_t tensors = paint.roughness > 0 ? 2 : 1;
     const std::size_t pairs = tensors * exit_pairs(d, active);

@@ -1,10 +1,15 @@
 #include "nacre/solver/multiple_scattering.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 
 #include "nacre/core/dense.h"
+#include "nacre/core/parallel.h"
+#include "nacre/solver/lane_matrix.h"
+#include "nacre/solver/lane_registers.h"
 
 namespace nacre::solver {
 
@@ -62,29 +67,92 @@ std::vector<double> pair_scales(const MultipleScattering& r, const Eigen::Vector
 // bits, which compress well in a file.
 double power_of_two_below(double x) { return x > 0 ? std::ldexp(1.0, std::ilogb(x)) : 0.0; }
 
-// The smallest number of eigenvectors, those of the largest eigenvalues, whose span leaves of no row
-// more than `tolerance` times its scale at any wavelength.
-int rank_needed(const Eigen::Map<const RowMajorMatrix>& rows, const SymmetricEigen& eigen,
-                const std::vector<double>& scale, double tolerance) {
-    const auto wavelengths = static_cast<int>(rows.cols());
-    Eigen::VectorXd row(wavelengths), residual(wavelengths);
-    int rank = 0;
-    for (int checked = -1; checked != rank;) {  // a rank that one row raised is checked by all
-        checked = rank;
-        for (Eigen::Index p = 0; p < rows.rows(); ++p) {
-            const double limit = tolerance * scale[static_cast<std::size_t>(p)];
-            residual = row = rows.row(p).transpose();
-            const auto subtract = [&](int k) {
-                const auto direction = eigen.vectors.col(wavelengths - 1 - k);  // largest last
-                residual -= row.dot(direction) * direction;
+// Pairs that a thread takes at once.
+constexpr std::size_t kPairsAtOnce = 512;
+
+// What some directions leave of eight rows.
+struct Residual {
+    LaneBuffer values;  // [wavelength]
+    DoubleLanes square{}, largest{};
+
+    // Takes out what lies along `direction` too; null for what does not.
+    void subtract(const double* direction) {
+        // Two of each sum, as an addition waits for the one before.
+        const std::size_t n = values.size(), even = n / 2 * 2;
+        for (int part = 0; part < kRegisters; ++part) {
+            const auto value = [&](std::size_t w) { return load(&values[w], part); };
+            Register along[2] = {}, squares[2] = {}, most[2] = {};
+            if (direction) {
+                for (std::size_t w = 0; w < even; w += 2) {
+                    for (int i = 0; i < 2; ++i) along[i] += value(w + i) * direction[w + i];
+                }
+                if (even < n) along[0] += value(even) * direction[even];
+                along[0] += along[1];
+            }
+            const auto subtract_at = [&](std::size_t w, int i) {
+                Register left = value(w);
+                if (direction) left -= along[0] * direction[w];
+                store(left, &values[w], part);
+                squares[i] += left * left;
+                most[i] = max_lanes(most[i], max_lanes(left, -left));
             };
-            // Further directions make the norm no larger, though they may the largest value.
-            int k = 0;
-            while (k < rank && residual.squaredNorm() > limit * limit) subtract(k++);
-            while (rank < wavelengths && residual.cwiseAbs().maxCoeff() > limit) subtract(rank++);
+            for (std::size_t w = 0; w < even; w += 2) {
+                for (int i = 0; i < 2; ++i) subtract_at(w + i, i);
+            }
+            if (even < n) subtract_at(even, 0);
+            store(squares[0] + squares[1], &square, part);
+            store(max_lanes(most[0], most[1]), &largest, part);
         }
     }
-    return rank;
+};
+
+// For each of two tolerances, the smallest number of eigenvectors, those of the largest eigenvalues,
+// whose span leaves of no row more than the tolerance times its scale at any wavelength.
+std::array<int, 2> ranks_needed(const Eigen::Map<const RowMajorMatrix>& rows,
+                                const SymmetricEigen& eigen,
+                                const std::array<std::vector<double>, 2>& scales,
+                                double tolerance) {
+    const auto wavelengths = static_cast<std::size_t>(rows.cols());
+    const auto count = static_cast<std::size_t>(rows.rows());
+    // By number of eigenvectors: whether they leave too much of some row.
+    std::array<std::vector<char>, 2> fails;
+    fails.fill(std::vector<char>(wavelengths, 0));
+    std::mutex mutex;
+    parallel_for_ranges(0, count, kPairsAtOnce, [&](std::size_t first, std::size_t last) {
+        std::array<std::vector<char>, 2> here;
+        here.fill(std::vector<char>(wavelengths, 0));
+        Residual residual{LaneBuffer(wavelengths)};
+        for (std::size_t p = first; p < last; p += kLanes) {
+            // Beyond the last row lanes repeat it.
+            const auto row = [&](int lane) { return std::min(p + lane, last - 1); };
+            for (int lane = 0; lane < kLanes; ++lane) {
+                const double* const from = rows.data() + row(lane) * wavelengths;
+                for (std::size_t w = 0; w < wavelengths; ++w) residual.values[w][lane] = from[w];
+            }
+            std::array<DoubleLanes, 2> limit;
+            for (int t = 0; t < 2; ++t) {
+                limit[t] = make_lanes<DoubleLanes>(
+                    [&](int lane) { return tolerance * scales[t][row(lane)]; });
+            }
+            const DoubleLanes least = min_lanes(limit[0], limit[1]);
+            for (std::size_t k = 0; k < wavelengths; ++k) {
+                residual.subtract(k ? eigen.vectors.col(wavelengths - k).data() : nullptr);
+                // Further directions make the norm no larger, though they may the largest value.
+                if (!(lane_max(residual.square - least * least) > 0)) break;
+                for (int t = 0; t < 2; ++t) here[t][k] |= lane_max(residual.largest - limit[t]) > 0;
+            }
+        }
+        const std::lock_guard lock(mutex);
+        for (int t = 0; t < 2; ++t) {
+            for (std::size_t k = 0; k < wavelengths; ++k) fails[t][k] |= here[t][k];
+        }
+    });
+    std::array<int, 2> ranks;
+    for (int t = 0; t < 2; ++t) {
+        ranks[t] =
+            static_cast<int>(std::find(fails[t].begin(), fails[t].end(), 0) - fails[t].begin());
+    }
+    return ranks;
 }
 
 float round_to(double value, double unit) {
@@ -131,40 +199,46 @@ MultipleScattering compress(std::vector<double> exit_angle, std::vector<int> fir
     const auto pairs = static_cast<Eigen::Index>(values.size()) / std::max(wavelength_count, 1);
     if (pairs == 0) return out;
     const Eigen::Map<const RowMajorMatrix> all(values.data(), pairs, wavelength_count);
-    const Eigen::VectorXd largest = all.cwiseAbs().rowwise().maxCoeff();
-    const SymmetricEigen eigen = symmetric_eigen(gram_matrix(all));
+    Eigen::VectorXd largest(pairs);
+    parallel_for_ranges(0, pairs, kPairsAtOnce, [&](std::size_t from, std::size_t to) {
+        const auto at = static_cast<Eigen::Index>(from), n = static_cast<Eigen::Index>(to - from);
+        largest.segment(at, n) = all.middleRows(at, n).cwiseAbs().rowwise().maxCoeff();
+    });
+    const Eigen::MatrixXd gram = gram_matrix(all);
+    const SymmetricEigen eigen = symmetric_eigen(gram);
+    std::array<std::vector<double>, 2> scales = {pair_scales(out, largest, 1),
+                                                 pair_scales(out, largest, kFineShare)};
     // Half of the tolerance is for the rank, half for rounding.
-    const auto needed = [&](const std::vector<double>& scale) {
-        return rank_needed(all, eigen, scale, 0.5 * tolerance);
-    };
-    std::vector<double> scale = pair_scales(out, largest, 1);
-    out.table_rank = needed(scale);
-    int rank = out.table_rank;
-    std::vector<double> fine_scale = pair_scales(out, largest, kFineShare);
-    if (const int fine = needed(fine_scale); fine * pairs <= kMaxFineCoefficients) {
-        rank = fine;
-        scale = std::move(fine_scale);
-    }
+    const auto [coarse, fine] = ranks_needed(all, eigen, scales, 0.5 * tolerance);
+    out.table_rank = coarse;
+    const bool finely = fine * pairs <= kMaxFineCoefficients;
+    const int rank = finely ? fine : coarse;
+    const std::vector<double>& scale = scales[finely ? 1 : 0];
     const RowMajorMatrix basis = eigen.vectors.rightCols(rank).rowwise().reverse().transpose();
-    const RowMajorMatrix coefficient = (all * basis.transpose()).transpose();
+    for (int k = 0; k < rank; ++k) {
+        for (int w = 0; w < wavelength_count; ++w) {
+            out.basis.push_back(static_cast<float>(basis(k, w)));
+        }
+    }
     // Each coefficient errs by step / 2 at most. At one wavelength the squares of the basis sum to
     // at most 1, the magnitudes to sqrt(rank): together the terms err by tolerance / 2 at most.
     // Order 0 carries the energy and costs little: it is kept to more digits.
     const double step = tolerance / std::sqrt(std::max(rank, 1)), finer = 1.0 / 64;
     const std::size_t order_0 = triangle(out.exit_angle.size() - out.first[0]);
-    std::vector<double> unit;
-    for (std::size_t p = 0; p < scale.size(); ++p) {
-        unit.push_back(power_of_two_below((p < order_0 ? finer * step : step) * scale[p]));
-    }
-    out.coefficient.reserve(static_cast<std::size_t>(rank) * unit.size());
-    for (int k = 0; k < rank; ++k) {
-        for (int w = 0; w < wavelength_count; ++w) {
-            out.basis.push_back(static_cast<float>(basis(k, w)));
+    out.coefficient.resize(static_cast<std::size_t>(rank) * scale.size());
+    parallel_for_ranges(0, pairs, kPairsAtOnce, [&](std::size_t from, std::size_t to) {
+        const auto n = static_cast<Eigen::Index>(to - from);
+        const RowMajorMatrix coefficient =
+            product_with_transposed(basis, all.middleRows(static_cast<Eigen::Index>(from), n));
+        std::vector<double> unit;
+        for (std::size_t p = from; p < to; ++p) {
+            unit.push_back(power_of_two_below((p < order_0 ? finer * step : step) * scale[p]));
         }
-        for (Eigen::Index p = 0; p < pairs; ++p) {
-            out.coefficient.push_back(round_to(coefficient(k, p), unit[p]));
+        for (int k = 0; k < rank; ++k) {
+            float* const row = out.coefficient.data() + k * scale.size() + from;
+            for (Eigen::Index p = 0; p < n; ++p) row[p] = round_to(coefficient(k, p), unit[p]);
         }
-    }
+    });
     return out;
 }
 

@@ -49,31 +49,35 @@ RepresentativeWavelengths::RepresentativeWavelengths(const LaneBuffer& rows, int
     }
 }
 
-template <class Value>
-OrderValues RepresentativeWavelengths::combine(std::size_t rows, const Value& value) const {
-    OrderValues all(rows * blocks_);
-    for (std::size_t row = 0; row < rows; ++row) {
-        for (std::size_t k = 0; k < wavelengths_.size(); ++k) {
-            const double x = value(row, k);
-            for (std::size_t b = 0; b < blocks_; ++b)
-                all[row * blocks_ + b] += x * weights_[k * blocks_ + b];
-        }
+void RepresentativeWavelengths::at_all(const DoubleLanes* few, DoubleLanes* all) const {
+    std::fill_n(all, blocks_, DoubleLanes{});
+    for (std::size_t k = 0; k < wavelengths_.size(); ++k) {
+        const double x = few[k / kLanes][k % kLanes];
+        for (std::size_t b = 0; b < blocks_; ++b) all[b] += x * weights_[k * blocks_ + b];
     }
-    return all;
 }
 
-OrderValues RepresentativeWavelengths::at_all(const OrderValues& few) const {
-    const std::size_t blocks = paint::block_count(static_cast<int>(wavelengths_.size()));
-    return combine(few.size() / blocks, [&](std::size_t row, std::size_t k) {
-        return few[row * blocks + k / kLanes][k % kLanes];
-    });
+OrderValues RepresentativeWavelengths::chosen(const OrderValues& all) const {
+    const auto count = static_cast<int>(wavelengths_.size());
+    const std::size_t rows = all.size() / blocks_, blocks = paint::block_count(count);
+    OrderValues few(rows * blocks);
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (std::size_t lane = 0; lane < blocks * kLanes; ++lane) {
+            const int w = wavelengths_[std::min<std::size_t>(lane, count - 1)];
+            few[row * blocks + lane / kLanes][lane % kLanes] =
+                all[row * blocks_ + w / kLanes][w % kLanes];
+        }
+    }
+    return few;
 }
 
 OrderValues RepresentativeWavelengths::again(const OrderValues& all) const {
-    return combine(all.size() / blocks_, [&](std::size_t row, std::size_t k) {
-        const auto w = static_cast<std::size_t>(wavelengths_[k]);
-        return all[row * blocks_ + w / kLanes][w % kLanes];
-    });
+    const OrderValues few = chosen(all);
+    OrderValues out(all.size());
+    const std::size_t rows = all.size() / blocks_;
+    for (std::size_t row = 0; row < rows; ++row)
+        at_all(&few[row * (few.size() / rows)], &out[row * blocks_]);
+    return out;
 }
 
 }  // namespace nacre::solver

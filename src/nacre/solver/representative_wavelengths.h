@@ -26,17 +26,14 @@ class RepresentativeWavelengths {
     /// Which they are, rising.
     const std::vector<int>& wavelengths() const { return wavelengths_; }
 
-    /// Values at all wavelengths from those at the representatives, as what was solved for these alone
-    /// has them. Lanes beyond the last wavelength repeat it.
-    OrderValues at_all(const OrderValues& few) const;
-    /// The same from values at all wavelengths, of which those at the representatives are read.
+    /// A row at all wavelengths from that at the representatives, as what is solved for these alone has
+    /// it. Lanes beyond the last wavelength repeat it.
+    void at_all(const DoubleLanes* few, DoubleLanes* all) const;
+    /// The values at the representatives of rows at all wavelengths, and what they tell of all.
+    OrderValues chosen(const OrderValues& all) const;
     OrderValues again(const OrderValues& all) const;
 
  private:
-    /// @param value  (row, k): at representative k
-    template <class Value>
-    OrderValues combine(std::size_t rows, const Value& value) const;
-
     std::size_t blocks_;
     std::vector<int> wavelengths_;
     LaneBuffer weights_;  // [representative][block]

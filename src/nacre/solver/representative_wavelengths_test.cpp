@@ -48,14 +48,19 @@ TEST(RepresentativeWavelengths, TellAllOfSpectraThatTheySpan) {
     const LaneBuffer others = rows_of_rank(6, 25, 2);
     EXPECT_LT(largest_difference(few.again(others), others), 1e-11);
 
-    OrderValues chosen(25);
+    const OrderValues chosen = few.chosen(others);
+    ASSERT_EQ(chosen.size(), 25u);
     for (int row = 0; row < 25; ++row) {
         for (std::size_t k = 0; k < few.wavelengths().size(); ++k) {
             const int w = few.wavelengths()[k];
-            chosen[row][static_cast<int>(k)] = others[row * kBlocks + w / kLanes][w % kLanes];
+            EXPECT_EQ(chosen[row][static_cast<int>(k)],
+                      others[row * kBlocks + w / kLanes][w % kLanes]);
         }
+        OrderValues all(kBlocks);
+        few.at_all(&chosen[row], all.data());
+        const auto begin = others.begin() + row * kBlocks;
+        EXPECT_LT(largest_difference(all, {begin, begin + kBlocks}), 1e-11);
     }
-    EXPECT_LT(largest_difference(few.at_all(chosen), others), 1e-11);
 }
 
 TEST(RepresentativeWavelengths, TellApartWhatTheyDoNotSpan) {

@@ -1,6 +1,7 @@
 #include "nacre/solver/wavelength_groups.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "nacre/core/parallel.h"
 #include "nacre/solver/fourier_kernel.h"
@@ -52,36 +53,57 @@ paint::FlakeTable pick_columns(const paint::FlakeTable& table, const std::vector
                                              r, t);
 }
 
-// Values of all groups as [order][pair][wavelength], pairs from first[order].
-std::vector<double> collect(const WavelengthGroups& groups,
-                            const std::vector<GroupSolution>& solutions,
-                            const std::vector<int>& first,
-                            std::vector<double> GroupSolution::*values) {
-    int count = 0;
-    for (const WavelengthGroup& group : groups) count += static_cast<int>(group.members.size());
-    const int exits = static_cast<int>(solutions[0].exit_angle.size());
-    std::size_t pairs = 0;
-    for (int f : first) pairs += triangle(exits - f);
-    std::vector<double> all;
-    all.reserve(pairs * count);
-    std::vector<const double*> next;  // by group
-    for (const GroupSolution& s : solutions) next.push_back((s.*values).data());
-    for (std::size_t l = 0; l < first.size(); ++l) {
-        for (int i = first[l]; i < exits; ++i) {
-            for (int j = first[l]; j <= i; ++j) {
-                all.resize(all.size() + count, 0.0);
-                double* row = all.data() + all.size() - count;
-                for (std::size_t g = 0; g < groups.size(); ++g) {
-                    const GroupSolution& s = solutions[g];
-                    if ((s.*values).empty() || l >= s.first.size() || j < s.first[l]) continue;
-                    for (std::size_t k = 0; k < groups[g].members.size(); ++k) {
-                        row[groups[g].members[k]] = next[g][groups[g].solved_as[k]];
-                    }
-                    next[g] += s.wavelength_count;
-                }
+// All groups' values of one row, [wavelength].
+void collect_row(const WavelengthGroups& groups, const std::vector<GroupSolution>& solutions,
+                 std::vector<OrderValues> GroupSolution::*values, int l, int i, int j,
+                 LaneBuffer& represented, double* row) {
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        const WavelengthGroup& group = groups[g];
+        const GroupSolution& s = solutions[g];
+        const bool known = l < static_cast<int>((s.*values).size()) && j >= s.first[l];
+        const DoubleLanes* at = nullptr;
+        if (known) {
+            const OrderValues& of_order = (s.*values)[l];
+            const std::size_t blocks = of_order.size() / triangle(s.exit_angle.size() - s.first[l]);
+            at = &of_order[(triangle(i - s.first[l]) + j - s.first[l]) * blocks];
+            if (s.representatives && l >= s.represented_from) {
+                represented.resize(paint::block_count(static_cast<int>(group.distinct.size())));
+                s.representatives->at_all(at, represented.data());
+                at = represented.data();
             }
         }
+        for (std::size_t k = 0; k < group.members.size(); ++k) {
+            const int w = group.solved_as[k];
+            row[group.members[k]] = known ? at[w / kLanes][w % kLanes] : 0.0;
+        }
     }
+}
+
+// Values [pair][wavelength] of all groups, pairs by order from first[order], and how many there are.
+struct CollectedValues {
+    std::unique_ptr<double[]> values;
+    std::size_t count;
+};
+
+CollectedValues collect(const WavelengthGroups& groups, const std::vector<GroupSolution>& solutions,
+                        const std::vector<int>& first,
+                        std::vector<OrderValues> GroupSolution::*values) {
+    std::size_t wavelengths = 0;
+    for (const WavelengthGroup& group : groups) wavelengths += group.members.size();
+    const int exits = static_cast<int>(solutions[0].exit_angle.size());
+    std::vector<std::size_t> begin = {0};  // by order
+    for (int f : first) begin.push_back(begin.back() + triangle(exits - f) * wavelengths);
+    // Written by all threads, and not by one before them.
+    CollectedValues all{std::make_unique_for_overwrite<double[]>(begin.back()), begin.back()};
+    parallel_for(std::size_t{0}, first.size(), [&](std::size_t l) {
+        LaneBuffer represented;
+        double* row = all.values.get() + begin[l];
+        for (int i = first[l]; i < exits; ++i) {
+            for (int j = first[l]; j <= i; ++j, row += wavelengths) {
+                collect_row(groups, solutions, values, static_cast<int>(l), i, j, represented, row);
+            }
+        }
+    });
     return all;
 }
 
@@ -107,6 +129,20 @@ WavelengthGroups group_wavelengths(const PaintMedium& medium) {
         }
     }
     return groups;
+}
+
+LaneBuffer spectra_of(const PaintMedium& medium) {
+    const std::size_t blocks = paint::block_count(medium.wavelength_count());
+    LaneBuffer rows;
+    for (std::size_t lane = 0; lane < blocks * kLanes; ++lane) {
+        const std::vector<double> numbers =
+            signature(medium, std::min(static_cast<int>(lane), medium.wavelength_count() - 1));
+        // Series of phase functions end where they may.
+        rows.resize(std::max(rows.size(), numbers.size() * blocks), DoubleLanes{});
+        for (std::size_t row = 0; row < numbers.size(); ++row)
+            rows[row * blocks + lane / kLanes][lane % kLanes] = numbers[row];
+    }
+    return rows;
 }
 
 PaintMedium select_wavelengths(const PaintMedium& medium, const std::vector<int>& wavelengths) {
@@ -147,9 +183,10 @@ void merge_groups(const WavelengthGroups& groups, const std::vector<GroupSolutio
     const int exits = static_cast<int>(solutions[0].exit_angle.size());
     paint.report.exit_nodes = exits;
     paint.report.orders = static_cast<int>(first.size());
-    const auto merge = [&](std::vector<double> GroupSolution::*values) {
+    const auto merge = [&](std::vector<OrderValues> GroupSolution::*values) {
+        const CollectedValues all = collect(groups, solutions, first, values);
         return compress(solutions[0].exit_angle, first, paint.medium.wavelength_count(),
-                        collect(groups, solutions, first, values), tolerance);
+                        {all.values.get(), all.count}, tolerance);
     };
     parallel_for(0, paint.medium.roughness > 0 ? 2 : 1, [&](int k) {
         if (k == 0) paint.multiple_scattering = merge(&GroupSolution::values);

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "nacre/solver/order_interpolation.h"
+#include "nacre/solver/representative_wavelengths.h"
 #include "nacre/solver/solved_paint.h"
 
 // Wavelengths that can be solved together or need not be solved twice.
@@ -22,15 +25,21 @@ WavelengthGroups group_wavelengths(const PaintMedium& medium);
 /// The medium at some of its wavelengths.
 PaintMedium select_wavelengths(const PaintMedium& medium, const std::vector<int>& wavelengths);
 
-/// The solution of one group: values [order][pair][wavelength of distinct], pairs i >= j of exit
-/// nodes from first[order].
+/// All that the solution depends on at each wavelength, [number][block of wavelengths], of which few
+/// wavelengths may tell the others.
+LaneBuffer spectra_of(const PaintMedium& medium);
+
+/// The solution of one group at its distinct wavelengths, by order: pairs i >= j of exit nodes from
+/// first[order].
 struct GroupSolution {
-    int wavelength_count = 0;
     int inner_nodes = 0;
     std::vector<double> exit_angle;
     std::vector<int> first;
-    std::vector<double> values;
-    std::vector<double> single_values;  ///< likewise, under a rough interface; else empty
+    std::vector<OrderValues> values;
+    std::vector<OrderValues> single_values;  ///< likewise, under a rough interface; else empty
+    /// Where few wavelengths tell all others, those at which orders from this one on are given.
+    std::optional<RepresentativeWavelengths> representatives;
+    int represented_from = 0;
     double unresolved_scattering = 0, azimuthal_tail = 0;
 };
 
