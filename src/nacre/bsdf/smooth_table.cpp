@@ -19,6 +19,9 @@ SmoothGrid choose_grid(double alpha) {
     return grid;
 }
 
+// Lines in q whose sums over orders run side by side.
+constexpr int kLinesAtOnce = 8;
+
 }  // namespace
 
 SmoothTable::SmoothTable(std::span<const solver::MultipleScattering* const> tensors, double alpha,
@@ -35,35 +38,55 @@ SmoothTable::SmoothTable(std::span<const solver::MultipleScattering* const> tens
 
 void SmoothTable::tabulate(const solver::MultipleScattering& r, double ior, int first_rank) {
     const int orders = r.orders(), rank = r.table_rank;
-    std::vector<float> cosine(static_cast<std::size_t>(grid_.q) * orders);  // [order][q]
+    // [order][q], with room for whole groups of lines.
+    const int lines = (grid_.q + kLinesAtOnce - 1) / kLinesAtOnce * kLinesAtOnce;
+    std::vector<float> cosine(static_cast<std::size_t>(lines) * orders);
     for (int l = 0; l < orders; ++l) {
         for (int c = 0; c < grid_.q; ++c) {
             const double root = static_cast<double>(c) / (grid_.q - 1);
             const double phi = 2 * std::asin(root * root);
-            cosine[l * grid_.q + c] = static_cast<float>((l ? 2.0 : 1.0) * std::cos(l * phi));
+            cosine[l * lines + c] = static_cast<float>((l ? 2.0 : 1.0) * std::cos(l * phi));
         }
     }
+    const int spectra = (rank + kLanes - 1) / kLanes;  // vectors of them
     parallel_for(0, grid_.a, [&](std::size_t ia) {
         const double root_a = static_cast<double>(ia) / (grid_.a - 1), a = root_a * root_a;
         const double theta_1 = 2 * std::atan(a), mu_1 = solver::inside_cosine(ior, theta_1);
         const solver::MultipleScatteringSlice slice(r, theta_1, rank);
-        std::vector<double> by_order(static_cast<std::size_t>(rank) * orders);
-        std::vector<float> line(grid_.q);
+        std::vector<double> theta_2;  // <= theta_1
         for (int ib = 0; ib < grid_.b; ++ib) {
             const double root_b = static_cast<double>(ib) / (grid_.b - 1);
-            const double theta_2 = 2 * std::atan(a * (1 - root_b * root_b));  // <= theta_1
-            slice.by_order(theta_2, by_order);
-            const auto scale = static_cast<float>(mu_1 + solver::inside_cosine(ior, theta_2));
+            theta_2.push_back(2 * std::atan(a * (1 - root_b * root_b)));
+        }
+        const std::size_t terms = static_cast<std::size_t>(rank) * orders;
+        std::vector<double> by_order(grid_.b * terms);
+        slice.by_order(theta_2, by_order);
+        std::vector<FloatLanes> value(static_cast<std::size_t>(orders) * spectra);  // [l][vector]
+        for (int ib = 0; ib < grid_.b; ++ib) {
+            const double* from = by_order.data() + ib * terms;
+            for (int l = 0; l < orders; ++l) {
+                for (int k = 0; k < rank; ++k) {
+                    value[l * spectra + k / kLanes][k % kLanes] = static_cast<float>(*from++);
+                }
+            }
+            const auto scale = static_cast<float>(mu_1 + solver::inside_cosine(ior, theta_2[ib]));
             float* const out =
                 coefficient_.data() + (ia * grid_.b + ib) * grid_.q * rank_ + first_rank;
-            for (int k = 0; k < rank; ++k) {
-                std::fill(line.begin(), line.end(), 0.0f);
-                for (int l = 0; l < orders; ++l) {
-                    const auto value = static_cast<float>(by_order[k * orders + l]);
-                    const float* const from = cosine.data() + l * grid_.q;
-                    for (int c = 0; c < grid_.q; ++c) line[c] += from[c] * value;
+            for (int c = 0; c < grid_.q; c += kLinesAtOnce) {
+                for (int s = 0; s < spectra; ++s) {
+                    FloatLanes sum[kLinesAtOnce] = {};
+                    for (int l = 0; l < orders; ++l) {
+                        const FloatLanes of_order = value[l * spectra + s];
+                        const float* const times = cosine.data() + l * lines + c;
+#pragma GCC unroll 8
+                        for (int i = 0; i < kLinesAtOnce; ++i) sum[i] += times[i] * of_order;
+                    }
+                    const int first = s * kLanes, count = std::min(kLanes, rank - first);
+                    for (int i = 0; i < std::min(kLinesAtOnce, grid_.q - c); ++i) {
+                        const FloatLanes line = scale * sum[i];
+                        for (int k = 0; k < count; ++k) out[(c + i) * rank_ + first + k] = line[k];
+                    }
                 }
-                for (int c = 0; c < grid_.q; ++c) out[c * rank_ + k] = scale * line[c];
             }
         }
     });

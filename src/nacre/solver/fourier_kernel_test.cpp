@@ -149,6 +149,23 @@ TEST(FourierKernel, WavelengthsAreThoseOfEachAlone) {
     }
 }
 
+TEST(FourierKernel, OrdersAreThoseOfAllWhateverIsAsked) {
+    LayerMedium layer = flake_layer(0.15);
+    layer.pigments = {pigment_layer(0.6).pigments[0], particle_layer().pigments[0]};
+    const Directions d = make_directions(1.5, 8, 4);
+    const ActiveNodes active(d, 0.15, 30);
+    const FourierKernel all(layer, d, active, 1);
+    for (const OrderRange range : {OrderRange{0, 8}, OrderRange{8}, OrderRange{5, 11}}) {
+        const FourierKernel some(layer, d, active, 1, nullptr, range);
+        for (int l = range.begin; l < std::min(range.end, active.orders()); ++l) {
+            for (std::size_t at = 0; at < triangle(d.size() - active.first(l)); ++at) {
+                ASSERT_EQ(some.same(0, l)[at][0], all.same(0, l)[at][0]) << l;
+                ASSERT_EQ(some.opposite(0, l)[at][0], all.opposite(0, l)[at][0]) << l;
+            }
+        }
+    }
+}
+
 TEST(FourierKernel, OrderZeroSumsToTheScatteringCrossSection) {
     // 2 pi sum_j w_j (same + opposite) = sigma_s for smooth kernels.
     const Directions d = make_directions(1.5, 24, 20);

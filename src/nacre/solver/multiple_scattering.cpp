@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <mutex>
 #include <numbers>
 
@@ -255,8 +256,9 @@ MultipleScatteringSlice::MultipleScatteringSlice(const MultipleScattering& r, do
     }
     std::vector<double> weight(n);
     interpolation_.weights_at(theta_i, weight.data());
-    const std::size_t terms = static_cast<std::size_t>(rank) * r.orders();
-    by_node_.assign(terms * n, 0.0);
+    const std::size_t row = lanes_of_terms() * kLanes;
+    by_node_.assign(lanes_of_terms() * n, DoubleLanes{});
+    auto* const by_node = reinterpret_cast<double*>(by_node_.data());
     const float* value = r.coefficient.data();
     std::vector<double> out(n);
     for (int k = 0; k < rank; ++k) {
@@ -266,31 +268,55 @@ MultipleScatteringSlice::MultipleScatteringSlice(const MultipleScattering& r, do
                 std::fill(out.begin(), out.end(), 0.0);
                 add_symmetric_product(rows, value, over_lobe.data(), first, weight.data() + first,
                                       out.data() + first);
-                double* to = by_node_.data() + static_cast<std::size_t>(k) * r.orders() + l;
-                for (int i = first; i < n; ++i) to[i * terms] = out[i];
+                for (int i = first; i < n; ++i) by_node[i * row + l * rank + k] = out[i];
             }
             value += triangle(rows);
         }
     }
 }
 
-void MultipleScatteringSlice::by_order(double theta_o, std::span<double> out) const {
-    const int n = static_cast<int>(multiple_scattering_.exit_angle.size());
-    std::vector<double> weight(n);
-    interpolation_.weights_at(theta_o, weight.data());
+std::size_t MultipleScatteringSlice::lanes_of_terms() const {
+    const std::size_t terms = static_cast<std::size_t>(rank_) * multiple_scattering_.orders();
+    return (terms + kLanes - 1) / kLanes;
+}
+
+void MultipleScatteringSlice::by_order(std::span<const double> theta_o,
+                                       std::span<double> out) const {
+    constexpr std::size_t kAtOnce = 4;  // whose sums are in registers
+    const std::size_t n = multiple_scattering_.exit_angle.size(), lanes = lanes_of_terms();
     const int orders = multiple_scattering_.orders();
     const std::size_t terms = static_cast<std::size_t>(rank_) * orders;
-    std::fill_n(out.begin(), terms, 0.0);
-    double* const sum = out.data();
-    const double lobe = multiple_scattering_.lobe(theta_i_, theta_o);
-    for (int j = 0; j < n; ++j) {
-        const double* from = by_node_.data() + j * terms;
-        const double w = lobe * weight[j];
-        for (std::size_t t = 0; t < terms; ++t) sum[t] += from[t] * w;
-    }
-    for (int l = 0; l < orders; ++l) {
-        if (multiple_scattering_.takes_part(l, theta_o)) continue;
-        for (int k = 0; k < rank_; ++k) sum[k * orders + l] = 0;
+    std::vector<double> weight(kAtOnce * n);
+    for (std::size_t done = 0; done < theta_o.size(); done += kAtOnce) {
+        const std::span<const double> some =
+            theta_o.subspan(done, std::min(kAtOnce, theta_o.size() - done));
+        for (std::size_t i = 0; i < some.size(); ++i) {
+            interpolation_.weights_at(some[i], &weight[i * n]);
+            const double lobe = multiple_scattering_.lobe(theta_i_, some[i]);
+            for (std::size_t j = 0; j < n; ++j) weight[i * n + j] *= lobe;
+        }
+        double* const to = out.data() + done * terms;
+        for (std::size_t k = 0; k < lanes; ++k) {
+            Register sum[kAtOnce][kRegisters] = {};
+            for (std::size_t j = 0; j < n; ++j) {
+                for (int part = 0; part < kRegisters; ++part) {
+                    const Register from = load(&by_node_[j * lanes + k], part);
+#pragma GCC unroll 4
+                    for (std::size_t i = 0; i < kAtOnce; ++i)
+                        sum[i][part] += weight[i * n + j] * from;
+                }
+            }
+            for (std::size_t i = 0; i < some.size(); ++i) {
+                const std::size_t count = std::min<std::size_t>(kLanes, terms - k * kLanes);
+                std::memcpy(to + i * terms + k * kLanes, sum[i], count * sizeof(double));
+            }
+        }
+        for (std::size_t i = 0; i < some.size(); ++i) {
+            for (int l = 0; l < orders; ++l) {
+                if (multiple_scattering_.takes_part(l, some[i])) continue;
+                std::fill_n(to + i * terms + static_cast<std::size_t>(l) * rank_, rank_, 0.0);
+            }
+        }
     }
 }
 
@@ -298,11 +324,11 @@ void MultipleScatteringSlice::coefficients(double theta_o, double phi,
                                            std::span<double> out) const {
     const int orders = multiple_scattering_.orders();
     std::vector<double> term(static_cast<std::size_t>(rank_) * orders);
-    by_order(theta_o, term);
+    by_order({&theta_o, 1}, term);
     std::fill(out.begin(), out.end(), 0.0);
     for (int l = 0; l < orders; ++l) {
         const double cosine = (l ? 2.0 : 1.0) * std::cos(l * (phi - std::numbers::pi));
-        for (int k = 0; k < rank_; ++k) out[k] += cosine * term[k * orders + l];
+        for (int k = 0; k < rank_; ++k) out[k] += cosine * term[l * rank_ + k];
     }
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "nacre/solver/directions.h"
+#include "nacre/solver/lane_matrix.h"
 
 // The smooth part of a solved paint as a compact tensor.
 
@@ -89,17 +90,19 @@ class MultipleScatteringSlice {
                             int rank);
     /// Coefficients of the spectral basis, as many as there are spectra.
     void coefficients(double theta_o, double phi, std::span<double> out) const;
-    /// The same by azimuthal order, [k][l]: what is to be multiplied by
+    /// The same of several directions, [direction][order l][k]: what is to be multiplied by
     /// (2 - delta_l0) cos(l (phi - pi)) and summed over l.
-    void by_order(double theta_o, std::span<double> out) const;
+    void by_order(std::span<const double> theta_o, std::span<double> out) const;
 
  private:
+    std::size_t lanes_of_terms() const;  // of a row
+
     const MultipleScattering& multiple_scattering_;
     ExitInterpolation interpolation_;
     double theta_i_;
     int rank_;
-    // [j][k][l]: over the lobe, contracted with the weights of theta_i.
-    std::vector<double> by_node_;
+    // [j][l][k]: over the lobe, contracted with the weights of theta_i; rows of whole lanes.
+    LaneBuffer by_node_;
 };
 
 }  // namespace nacre::solver

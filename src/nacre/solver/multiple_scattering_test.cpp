@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "nacre/core/parallel.h"
 #include "nacre/solver/directions.h"
 
 namespace nacre::solver {
@@ -132,6 +133,56 @@ TEST(MultipleScattering, SlicesReturnTheValuesAtNodes) {
         }
     }
     EXPECT_EQ(compared, 4 * 6 * 3);
+}
+
+TEST(MultipleScattering, ManyDirectionsAreEachAlone) {
+    const Example example(0.01);
+    const MultipleScattering r =
+        compress(example.angle, example.first, example.wavelengths, example.values, 1e-6);
+    const MultipleScatteringSlice slice(r, 0.4, r.rank() - 1);
+    const std::vector<double> angles = {0.0, 0.3, 0.7, example.angle[9], 1.1, 1.4, 1.57};
+    const std::size_t terms = static_cast<std::size_t>(r.rank() - 1) * r.orders();
+    std::vector<double> all(angles.size() * terms), alone(terms);
+    slice.by_order(angles, all);
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        slice.by_order({&angles[i], 1}, alone);
+        for (std::size_t t = 0; t < terms; ++t) EXPECT_EQ(all[i * terms + t], alone[t]) << i;
+    }
+}
+
+// More pairs than one thread takes at once, of spectra that differ in the last digits that are kept.
+TEST(MultipleScattering, ManyPairsAreCompressedAlikeByAnyNumberOfThreads) {
+    const std::vector<double> angle = make_directions(1.0, 44, 0).exit_angle;
+    const std::vector<int> first = {0, 0, 0, 0, 0, 4};
+    constexpr int kWavelengths = 11;
+    std::size_t pairs = 0;
+    for (int f : first) pairs += triangle(angle.size() - f);
+    std::vector<double> values;
+    for (std::size_t p = 0; p < pairs; ++p) {
+        for (int w = 0; w < kWavelengths; ++w) {
+            double sum = 0;
+            for (int k = 0; k < 8; ++k)
+                sum += std::pow(0.1, k) * std::cos(0.7 * p * (k + 1)) * std::cos(0.3 * k * w);
+            values.push_back(sum);
+        }
+    }
+    constexpr double kTolerance = 1e-4;
+    const auto compressed = [&](int threads) {
+        const ThreadLimit limit(threads);
+        return compress(angle, first, kWavelengths, values, kTolerance);
+    };
+    const MultipleScattering r = compressed(1);
+    EXPECT_TRUE(r == compressed(4));
+    EXPECT_LT(r.table_rank, r.rank());
+    EXPECT_LT(r.rank(), 8);
+    double worst = 0;
+    for (std::size_t p = 0; p < pairs; ++p) {
+        for (int w = 0; w < kWavelengths; ++w) {
+            worst = std::max(
+                worst, std::abs(reconstruct(r, p, w, r.rank()) - values[p * kWavelengths + w]));
+        }
+    }
+    EXPECT_LE(worst, (kFineShare * kTolerance + 5e-7) * 1.12);
 }
 
 TEST(MultipleScattering, OrdersVanishTowardsTheNormalFromTheirFirstNode) {

@@ -114,11 +114,10 @@ inline std::vector<double> multiple_by_node(const SolvedPaint& paint, double the
     const MultipleScatteringSlice slice(r, theta_i);
     std::vector<double> by_order(static_cast<std::size_t>(r.rank()) * r.orders()), out;
     for (const double theta_o : r.exit_angle) {
-        slice.by_order(theta_o, by_order);
+        slice.by_order({&theta_o, 1}, by_order);
         double sum = 0;
         for (int k = 0; k < r.rank(); ++k) {
-            sum += r.basis[static_cast<std::size_t>(k) * r.wavelength_count] *
-                   by_order[static_cast<std::size_t>(k) * r.orders()];
+            sum += r.basis[static_cast<std::size_t>(k) * r.wavelength_count] * by_order[k];
         }
         out.push_back(sum);
     }

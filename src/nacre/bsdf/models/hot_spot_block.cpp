@@ -14,13 +14,13 @@ constexpr int kRadii = 16, kAzimuths = 24;
 
 FloatLanes to_float(const DoubleLanes& x) { return __builtin_convertvector(x, FloatLanes); }
 
-// The tangent of the least tilt, towards the azimuth phi, of a flake that mirrors light from i into
-// total reflection: beyond inside.z = least_z.
+// The tangent of the least tilt, towards the azimuth of this cosine and sine, of a flake that mirrors
+// light from i into total reflection: beyond inside.z = least_z.
 //
 // As the flake tilts by a in a plane through the vertical, what it mirrors turns by 2 a about the
 // normal of that plane, towards which the light from i has the angle beta: z = rho cos(2 a - beta).
-double slope_of_total_reflection(const Vec3f& i, double phi, double least_z) {
-    const double along = i.x * std::cos(phi) + i.y * std::sin(phi);
+double slope_of_total_reflection(const Vec3f& i, double cosine, double sine, double least_z) {
+    const double along = i.x * cosine + i.y * sine;
     const double rho = std::hypot(along, i.z), beta = std::atan2(along, i.z);
     return std::tan(0.5 * (beta + std::acos(std::min(1.0, least_z / rho))));
 }
@@ -74,11 +74,32 @@ FloatLanes HotSpotBlock::lost(const Ray& o) const {
     return lost_at_interface(clear_transmittance(o), transmittance(o));
 }
 
-HotSpotBlock::Budget HotSpotBlock::budget(const Ray& i, const Quadrature& polar) const {
+std::vector<HotSpotBlock::Exit> HotSpotBlock::exits(const Quadrature& polar) const {
+    bool any = lane_max(ground_reflectance_) > 0;
+    for (const auto& layer : medium_.layers) any = any || !layer.pigments.empty();
+    std::vector<Exit> out;
+    if (!any) return out;
+    const Quadrature& azimuths = unit_gauss_legendre(kAzimuths);
+    for (std::size_t n = 0; n < polar.nodes.size(); ++n) {
+        for (int a = 0; a < kAzimuths; ++a) {
+            const Ray o = ray(polar.nodes[n], std::numbers::pi * azimuths.nodes[a]);
+            const FloatLanes solid_angle =
+                inverse_ior2() * static_cast<float>(polar.weights[n] * std::sin(polar.nodes[n]) *
+                                                    std::cos(polar.nodes[n]) * 2 *
+                                                    std::numbers::pi * azimuths.weights[a]);
+            out.push_back({o, solid_angle,
+                           // The clearcoat on the way out is in lost().
+                           exp_lanes(clearcoat_depth_ / o.inside.z) * solid_angle * lost(o)});
+        }
+    }
+    return out;
+}
+
+HotSpotBlock::Budget HotSpotBlock::budget(const Ray& i, std::span<const Exit> exits) const {
     Budget sum;
     sum.again = scattered_once(i);
     add_flakes(i, sum);
-    add_others(i, polar, sum);
+    add_others(i, exits, sum);
     return sum;
 }
 
@@ -135,16 +156,18 @@ void HotSpotBlock::add_flakes(const Ray& i, Budget& sum) const {
             constexpr double kTail = 4.5;  // in units of alpha; e^-20 of the flakes is steeper
             for (int a = 0; a < kAzimuths; ++a) {
                 const double phi = std::numbers::pi * azimuths.nodes[a];
-                const double end = std::min(
-                    kTail, slope_of_total_reflection(i.inside, phi, least_z) / flake.alpha);
+                const double cosine = std::cos(phi), sine = std::sin(phi);
+                const double end =
+                    std::min(kTail, slope_of_total_reflection(i.inside, cosine, sine, least_z) /
+                                        flake.alpha);
                 for (int r = 0; r < kRadii; ++r) {
                     // The interface lets through what the square root of the distance from total
                     // reflection is.
                     const double x = 1 - radii.nodes[r], u = end * (1 - x * x);
                     const double weight = 2 * end * x * radii.weights[r] * 2 * u * std::exp(-u * u);
                     const double slope = flake.alpha * u;
-                    const Vec3f m = normalize(Vec3f{static_cast<float>(slope * std::cos(phi)),
-                                                    static_cast<float>(slope * std::sin(phi)), 1});
+                    const Vec3f m = normalize(Vec3f{static_cast<float>(slope * cosine),
+                                                    static_cast<float>(slope * sine), 1});
                     const float projected = dot(i.inside, m);
                     const auto outside = refract_out(2 * projected * m - i.inside, mean_ior_);
                     if (!outside || outside->z <= 1e-4f) continue;
@@ -162,36 +185,24 @@ void HotSpotBlock::add_flakes(const Ray& i, Budget& sum) const {
 }
 
 // What pigments and the ground have scattered once, over the directions outside.
-void HotSpotBlock::add_others(const Ray& i, const Quadrature& polar, Budget& sum) const {
-    bool any = lane_max(ground_reflectance_) > 0;
-    for (const auto& layer : medium_.layers) any = any || !layer.pigments.empty();
-    if (!any) return;
-    const Quadrature& azimuths = unit_gauss_legendre(kAzimuths);
-    for (std::size_t n = 0; n < polar.nodes.size(); ++n) {
-        for (int a = 0; a < kAzimuths; ++a) {
-            const Ray o = ray(polar.nodes[n], std::numbers::pi * azimuths.nodes[a]);
-            const FloatLanes solid_angle =
-                inverse_ior2() * static_cast<float>(polar.weights[n] * std::sin(polar.nodes[n]) *
-                                                    std::cos(polar.nodes[n]) * 2 *
-                                                    std::numbers::pi * azimuths.weights[a]);
-            const float projection = 1 / (i.inside.z * o.inside.z);
-            for (std::size_t l = 0; l < medium_.layers.size(); ++l) {
-                FloatLanes kernel{};
-                for (const solver::PigmentMedium& pigment : medium_.layers[l].pigments) {
-                    // Directions point away from the surface, on both ways.
-                    kernel += to_float(pigment.phase_value(-dot(i.inside, o.inside), block_)) *
-                              lanes(pigment.scattering_per_um);
-                }
-                if (medium_.layers[l].pigments.empty()) continue;
-                add_once(l, i, o, kernel * projection * solid_angle, sum);
+void HotSpotBlock::add_others(const Ray& i, std::span<const Exit> exits, Budget& sum) const {
+    for (const Exit& exit : exits) {
+        const Ray& o = exit.ray;
+        const float projection = 1 / (i.inside.z * o.inside.z);
+        for (std::size_t l = 0; l < medium_.layers.size(); ++l) {
+            FloatLanes kernel{};
+            for (const solver::PigmentMedium& pigment : medium_.layers[l].pigments) {
+                // Directions point away from the surface, on both ways.
+                kernel += to_float(pigment.phase_value(-dot(i.inside, o.inside), block_)) *
+                          lanes(pigment.scattering_per_um);
             }
-            const HotSpot::Pair both = pair(i, o);
-            // The clearcoat on the way out is in lost().
-            const FloatLanes once =
-                both.ground() * exp_lanes(clearcoat_depth_ / o.inside.z) * solid_angle * lost(o);
-            sum.again -= once;
-            sum.gained += once * (both.ground_gain() - 1.0f);
+            if (medium_.layers[l].pigments.empty()) continue;
+            add_once(l, i, o, kernel * projection * exit.solid_angle, sum);
         }
+        const HotSpot::Pair both = pair(i, o);
+        const FloatLanes once = both.ground() * exit.ground_lost;
+        sum.again -= once;
+        sum.gained += once * (both.ground_gain() - 1.0f);
     }
 }
 

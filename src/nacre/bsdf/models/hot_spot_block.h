@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "nacre/bsdf/models/hot_spot.h"
@@ -45,8 +46,16 @@ class HotSpotBlock {
         FloatLanes again{};   ///< is there to be scattered again, by the equation of transfer
         FloatLanes gained{};  ///< of it, what leaves with the hot spot
     };
-    /// @param polar  nodes of the angle outside, for what is scattered evenly
-    Budget budget(const Ray& i, const Quadrature& polar) const;
+    /// A direction that light leaves in which is scattered evenly.
+    struct Exit {
+        Ray ray;
+        FloatLanes solid_angle;  ///< inside, projected, and of the other half of the azimuths too
+        FloatLanes ground_lost;  ///< of it, the share of the ground's light that lost() takes
+    };
+    /// @param polar  nodes of the angle outside
+    /// @return none where all is flakes
+    std::vector<Exit> exits(const Quadrature& polar) const;
+    Budget budget(const Ray& i, std::span<const Exit> exits) const;
 
     /// Fraction of the light from i that is scattered at all, by a flake, a pigment or the ground.
     FloatLanes scattered_once(const Ray& i) const;
@@ -63,7 +72,7 @@ class HotSpotBlock {
     /// 1/um along the way in and out together.
     FloatLanes rate(std::size_t layer, const Ray& i, const Ray& o) const;
     void add_flakes(const Ray& i, Budget& sum) const;
-    void add_others(const Ray& i, const Quadrature& polar, Budget& sum) const;
+    void add_others(const Ray& i, std::span<const Exit> exits, Budget& sum) const;
     void add_once(std::size_t layer, const Ray& i, const Ray& o, const FloatLanes& per_um,
                   Budget& sum) const;
 

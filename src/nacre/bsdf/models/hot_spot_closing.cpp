@@ -56,27 +56,21 @@ std::vector<float> closing_factors(const solver::SolvedPaint& paint, const HotSp
     if (rank == 0 || n == 0) return factors;                              // black
     const Quadrature polar = gauss_legendre(n, 0, std::numbers::pi / 2);  // the exit nodes
 
-    // Order 0 between the exit nodes, [a][b][k].
-    std::vector<double> order_0(static_cast<std::size_t>(n) * n * rank);
-    parallel_for(0, n, [&](std::size_t a) {
-        const solver::MultipleScatteringSlice slice(multiple, polar.nodes[a]);
-        std::vector<double> orders(static_cast<std::size_t>(rank) * multiple.orders());
-        for (int b = 0; b < n; ++b) {
-            slice.by_order(polar.nodes[b], orders);
-            for (int k = 0; k < rank; ++k) {
-                order_0[(a * n + b) * rank + k] = orders[k * multiple.orders()];
-            }
-        }
-    });
     const solver::ExitInterpolation interpolation(multiple.exit_angle);
     const auto pair = [n](int a, int b) { return static_cast<std::size_t>(a) * n + b; };
+    // Order 0 between the exit nodes, of all of which it is given.
+    const std::size_t pairs = multiple.pair_count();
+    const auto order_0 = [&](int a, int b, int k) {
+        return multiple.coefficient[k * pairs + solver::triangle(std::max(a, b)) + std::min(a, b)];
+    };
     parallel_for(0, paint::block_count(count), [&](int block) {
         const HotSpotBlock paint_block(paint, tables, block);
         std::vector<Ray> rays;
         for (const double theta : polar.nodes) rays.push_back(paint_block.ray(theta));
+        const std::vector<HotSpotBlock::Exit> exits = paint_block.exits(polar);
         std::vector<FloatLanes> kept(n), entering(n), ground(pair(n, 0));  // kept: 1 - dQ / Q
         parallel_for(0, n, [&](std::size_t a) {
-            const HotSpotBlock::Budget budget = paint_block.budget(rays[a], polar);
+            const HotSpotBlock::Budget budget = paint_block.budget(rays[a], exits);
             const FloatLanes again = max_lanes(budget.again, splat(1e-20f));
             kept[a] = max_lanes(1.0f - budget.gained / again, FloatLanes{});
             entering[a] = paint_block.transmittance(rays[a]);
@@ -91,7 +85,7 @@ std::vector<float> closing_factors(const solver::SolvedPaint& paint, const HotSp
                 for (int b = 0; b < n; ++b) {
                     double f = -ground[pair(a, b)][lane];
                     for (int k = 0; k < rank; ++k) {
-                        f += order_0[pair(a, b) * rank + k] * multiple.basis[k * count + w];
+                        f += order_0(a, b, k) * multiple.basis[k * count + w];
                     }
                     const double in_out =
                         entering[a][lane] * entering[b][lane] * paint_block.inverse_ior2()[lane];

@@ -154,7 +154,7 @@ void BrdfTableRows::add_tensors(Workspace& work, double theta_o) const {
     for (std::size_t t = 0; t < tensors_.size(); ++t) {
         const solver::MultipleScattering& tensor = *tensors_[t];
         const int orders = tensor.orders(), rank = tensor.rank();
-        work.slices[t].by_order(theta_o, work.term);
+        work.slices[t].by_order({&theta_o, 1}, work.term);
         std::vector<Vec3d> basis(rank, Vec3d{});
         for (const Group& group : groups_) {
             const double s = scale(group, work.theta_i, theta_o);
@@ -165,23 +165,27 @@ void BrdfTableRows::add_tensors(Workspace& work, double theta_o) const {
         for (int l = 0; l < orders; ++l) {
             Vec3d sum{};
             for (int k = 0; k < rank; ++k) {
-                for (int c = 0; c < 3; ++c) sum[c] += work.term[k * orders + l] * basis[k][c];
+                for (int c = 0; c < 3; ++c) sum[c] += work.term[l * rank + k] * basis[k][c];
             }
             work.by_order[l] = (l ? 2.0 : 1.0) * sum;
         }
-        for (int j = 0; j < grid_.azimuths; ++j) {
+        if (orders == 0) continue;
+        // Eight azimuths at once; the last one again where there are no more.
+        for (int first = 0; first < grid_.azimuths; first += kLanes) {
             // cos(l (phi - pi)) = (-1)^l cos(l phi): the recurrence in -cos phi.
-            const double cosine = -std::cos(work.azimuth[j]);
-            Vec3d next{}, after{};
-            for (int l = orders - 1; l > 0; --l) {
-                for (int c = 0; c < 3; ++c) {
-                    const double here = work.by_order[l][c] + 2 * cosine * next[c] - after[c];
-                    after[c] = next[c];
-                    next[c] = here;
+            const auto cosine = make_lanes<DoubleLanes>([&](int lane) {
+                return -std::cos(work.azimuth[std::min(first + lane, grid_.azimuths - 1)]);
+            });
+            const int count = std::min(kLanes, grid_.azimuths - first);
+            for (int c = 0; c < 3; ++c) {
+                DoubleLanes next{}, after{};
+                for (int l = orders - 1; l > 0; --l) {
+                    const DoubleLanes here = work.by_order[l][c] + 2 * cosine * next - after;
+                    after = next;
+                    next = here;
                 }
-            }
-            for (int c = 0; orders > 0 && c < 3; ++c) {
-                work.rgb[j][c] += work.by_order[0][c] + cosine * next[c] - after[c];
+                const DoubleLanes sum = work.by_order[0][c] + cosine * next - after;
+                for (int lane = 0; lane < count; ++lane) work.rgb[first + lane][c] += sum[lane];
             }
         }
     }
