@@ -10,6 +10,7 @@
 #include "nacre/core/progress.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/solver/directions.h"
+#include "nacre/solver/lane_registers.h"
 #include "nacre/spectra/rgb.h"
 
 namespace nacre::bsdf {
@@ -170,21 +171,26 @@ void BrdfTableRows::add_tensors(Workspace& work, double theta_o) const {
             work.by_order[l] = (l ? 2.0 : 1.0) * sum;
         }
         if (orders == 0) continue;
-        // Eight azimuths at once; the last one again where there are no more.
-        for (int first = 0; first < grid_.azimuths; first += kLanes) {
+        // As many azimuths at once as a register holds; the last one again where there are no more.
+        using solver::Register, solver::kRegisterLanes;
+        for (int first = 0; first < grid_.azimuths; first += kRegisterLanes) {
+            const int count = std::min(kRegisterLanes, grid_.azimuths - first);
             // cos(l (phi - pi)) = (-1)^l cos(l phi): the recurrence in -cos phi.
-            const auto cosine = make_lanes<DoubleLanes>([&](int lane) {
-                return -std::cos(work.azimuth[std::min(first + lane, grid_.azimuths - 1)]);
-            });
-            const int count = std::min(kLanes, grid_.azimuths - first);
-            for (int c = 0; c < 3; ++c) {
-                DoubleLanes next{}, after{};
-                for (int l = orders - 1; l > 0; --l) {
-                    const DoubleLanes here = work.by_order[l][c] + 2 * cosine * next - after;
-                    after = next;
-                    next = here;
+            Register cosine;
+            for (int lane = 0; lane < kRegisterLanes; ++lane) {
+                cosine[lane] = -std::cos(work.azimuth[first + std::min(lane, count - 1)]);
+            }
+            const Register twice = 2 * cosine;
+            Register next[3] = {}, after[3] = {};
+            for (int l = orders - 1; l > 0; --l) {
+                for (int c = 0; c < 3; ++c) {
+                    const Register here = work.by_order[l][c] + twice * next[c] - after[c];
+                    after[c] = next[c];
+                    next[c] = here;
                 }
-                const DoubleLanes sum = work.by_order[0][c] + cosine * next - after;
+            }
+            for (int c = 0; c < 3; ++c) {
+                const Register sum = work.by_order[0][c] + cosine * next[c] - after[c];
                 for (int lane = 0; lane < count; ++lane) work.rgb[first + lane][c] += sum[lane];
             }
         }
