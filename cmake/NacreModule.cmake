@@ -115,7 +115,9 @@ endfunction()
 function(nacre_add_tests target)
   target_link_libraries(${target} PRIVATE nacre::testing)
   nacre_compile_quickly(${target})
-  gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120)
+  # Parameters that have no name are numbered: printed, they would be their bytes, pointers that differ
+  # from run to run, and a test that failed could not be asked for by its name.
+  gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120 NO_PRETTY_VALUES)
 endfunction()
 
 #   nacre_use_embree(NAME)   for the sources of a module that include core/embree.h
