@@ -226,13 +226,13 @@ class GroupSolver {
             if (!may_be_represented(rows, wavelengths_, few * kLanes)) continue;
             RepresentativeWavelengths found(rows, wavelengths_, few * kLanes);
             if (found.wavelengths().empty()) break;  // all is black
-            double error = 0;
-            for (int l = 0; l < orders(); ++l) {
+            std::vector<double> errors(orders());
+            parallel_for(0, orders(), [&](int l) {
                 OrderValues single;
                 if (interface_) single = found.again(known_.single[l]);
-                error = std::max(error,
-                                 error_of(l, found.again(known_.multiple[l]), std::move(single)));
-            }
+                errors[l] = error_of(l, found.again(known_.multiple[l]), std::move(single));
+            });
+            const double error = *std::max_element(errors.begin(), errors.end());
             if (error < kRepresentativesShare * tolerance) return found;
         }
         return {};
