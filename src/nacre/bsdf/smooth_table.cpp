@@ -41,10 +41,10 @@ void SmoothTable::tabulate(const solver::MultipleScattering& r, double ior, int 
     // [order][q], with room for whole groups of lines.
     const int lines = (grid_.q + kLinesAtOnce - 1) / kLinesAtOnce * kLinesAtOnce;
     std::vector<float> cosine(static_cast<std::size_t>(lines) * orders);
-    for (int l = 0; l < orders; ++l) {
-        for (int c = 0; c < grid_.q; ++c) {
-            const double root = static_cast<double>(c) / (grid_.q - 1);
-            const double phi = 2 * std::asin(root * root);
+    for (int c = 0; c < grid_.q; ++c) {
+        const double root = static_cast<double>(c) / (grid_.q - 1);
+        const double phi = 2 * std::asin(root * root);
+        for (int l = 0; l < orders; ++l) {
             cosine[l * lines + c] = static_cast<float>((l ? 2.0 : 1.0) * std::cos(l * phi));
         }
     }
