@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <span>
 
 #include "nacre/bsdf/models/hot_spot_block.h"
 #include "nacre/core/error.h"
@@ -48,21 +49,44 @@ std::vector<double> balance(const std::vector<double>& matrix, const std::vector
                     kMaxRounds, error));
 }
 
+namespace {
+
+solver::MultipleScattering order_0_of(const solver::MultipleScattering& all) {
+    solver::MultipleScattering out;
+    out.exit_angle = all.exit_angle;
+    out.wavelength_count = all.wavelength_count;
+    out.first = {all.first[0]};
+    out.basis = all.basis;
+    out.lobe_width = all.lobe_width;
+    out.table_rank = all.table_rank;
+    const std::size_t pairs = all.pair_count();
+    for (int k = 0; k < all.rank(); ++k) {
+        const auto begin = all.coefficient.begin() + static_cast<std::ptrdiff_t>(k * pairs);
+        out.coefficient.insert(out.coefficient.end(), begin,
+                               begin + static_cast<std::ptrdiff_t>(out.pair_count()));
+    }
+    return out;
+}
+
+}  // namespace
+
 std::vector<float> closing_factors(const solver::SolvedPaint& paint, const HotSpotTables& tables) {
     const solver::MultipleScattering& multiple = paint.multiple_scattering;
     const int count = paint.medium.wavelength_count(), rank = multiple.rank();
     const int n = static_cast<int>(multiple.exit_angle.size());
     std::vector<float> factors(static_cast<std::size_t>(kDirectionIntervals + 1) * count, 1.0f);
-    if (rank == 0 || n == 0) return factors;                              // black
+    if (rank == 0 || n == 0 || multiple.orders() == 0) return factors;    // black
     const Quadrature polar = gauss_legendre(n, 0, std::numbers::pi / 2);  // the exit nodes
 
+    // Order 0 between the exit nodes, [a][b][k].
+    const solver::MultipleScattering zeroth = order_0_of(multiple);
+    std::vector<double> order_0(static_cast<std::size_t>(n) * n * rank);
+    parallel_for(0, n, [&](std::size_t a) {
+        solver::MultipleScatteringSlice(zeroth, polar.nodes[a])
+            .by_order(polar.nodes, std::span(order_0).subspan(a * n * rank, n * rank));
+    });
     const solver::ExitInterpolation interpolation(multiple.exit_angle);
     const auto pair = [n](int a, int b) { return static_cast<std::size_t>(a) * n + b; };
-    // Order 0 between the exit nodes, of all of which it is given.
-    const std::size_t pairs = multiple.pair_count();
-    const auto order_0 = [&](int a, int b, int k) {
-        return multiple.coefficient[k * pairs + solver::triangle(std::max(a, b)) + std::min(a, b)];
-    };
     parallel_for(0, paint::block_count(count), [&](int block) {
         const HotSpotBlock paint_block(paint, tables, block);
         std::vector<Ray> rays;
@@ -85,7 +109,7 @@ std::vector<float> closing_factors(const solver::SolvedPaint& paint, const HotSp
                 for (int b = 0; b < n; ++b) {
                     double f = -ground[pair(a, b)][lane];
                     for (int k = 0; k < rank; ++k) {
-                        f += order_0(a, b, k) * multiple.basis[k * count + w];
+                        f += order_0[pair(a, b) * rank + k] * multiple.basis[k * count + w];
                     }
                     const double in_out =
                         entering[a][lane] * entering[b][lane] * paint_block.inverse_ior2()[lane];

@@ -246,6 +246,47 @@ std::vector<paint::Recipe> various_paints() {
     return all;
 }
 
+// As a file may have it that another program wrote.
+TEST(HotSpotClosing, NodesWithoutOrderZeroAreBlack) {
+    constexpr std::size_t kFirst = 4;
+    const SparklingModel model(paint_of({metal_flake(20, 0.1)}), {.hot_spot = true});
+    solver::SolvedPaint zeros = *model.paint, none = zeros;
+    solver::MultipleScattering& tensor = none.multiple_scattering;
+    const std::size_t pairs = tensor.pair_count();
+    const auto rank = static_cast<std::size_t>(tensor.rank());
+    const std::size_t nodes = tensor.exit_angle.size();
+    std::vector<float> left;
+    for (std::size_t k = 0; k < rank; ++k) {
+        for (std::size_t i = 0, pair = 0; i < nodes; ++i) {
+            for (std::size_t j = 0; j <= i; ++j, ++pair) {
+                float& value = zeros.multiple_scattering.coefficient[k * pairs + pair];
+                if (j < kFirst) {
+                    value = 0;
+                } else {
+                    left.push_back(value);
+                }
+            }
+        }
+    }
+    // Of one order, so that the others need no places of their own.
+    zeros.multiple_scattering.first = {0};
+    std::vector<float> order_0;
+    for (std::size_t k = 0; k < rank; ++k) {
+        const auto begin = zeros.multiple_scattering.coefficient.begin() + k * pairs;
+        order_0.insert(order_0.end(), begin, begin + solver::triangle(nodes));
+    }
+    zeros.multiple_scattering.coefficient = order_0;
+    tensor.first = {static_cast<int>(kFirst)};
+    tensor.coefficient = left;
+    const std::vector<float> closing = HotSpotTables(none).closing();
+    EXPECT_EQ(closing, HotSpotTables(zeros).closing());
+    EXPECT_NE(closing, HotSpotTables(*model.paint).closing());
+    // Without orders there is nothing to close.
+    tensor.first.clear();
+    tensor.coefficient.clear();
+    EXPECT_THAT(HotSpotTables(none).closing(), testing::Each(1.0f));
+}
+
 TEST(HotSpotClosing, ValuesAreThoseOfTheModel) {
     for (const paint::Recipe& recipe : various_paints()) {
         const SparklingModel model(recipe, {.specimen = 1});
