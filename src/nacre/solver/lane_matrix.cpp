@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <type_traits>
 
 #include "nacre/solver/lane_registers.h"
 
@@ -11,32 +12,45 @@ namespace {
 
 using Tile = DoubleLanes[kTile][kTile];
 
-// How many columns of a tile have their sums in registers at the same time: AVX-512 has 32 of them,
-// others 16.
-constexpr int kColumns = kRegisterLanes == 8 ? 4 : 2;
+// How many columns have their sums in registers at the same time, of kTile rows each: AVX-512 has 32
+// registers, others 16. Fewer sums would wait for their own additions.
+constexpr int kColumns = kRegisterLanes == 8 ? 4 : 3;
 
-using Sums = Register[kTile][kColumns];
+template <int columns>
+using Sums = Register[kTile][columns];
 
-// Columns of a tile of a matrix product, its factors read along k by steps of their own:
+// Calls body(width, j) for columns j to j + width of a multiple of four of them: kColumns at once, and
+// two where that would leave one.
+template <class Body>
+[[gnu::always_inline]] inline void by_columns(int begin, int end, const Body& body) {
+    int j = begin;
+    while (end - j >= kColumns && end - j != kColumns + 1) {
+        body(std::integral_constant<int, kColumns>{}, j);
+        j += kColumns;
+    }
+    for (; j < end; j += 2) body(std::integral_constant<int, 2>{}, j);
+}
+
+// Columns of a matrix product, its factors read along k by steps of their own:
 // sum[i][c] = sum over k of a[i * a_row + k * a_step] b[c * b_column + k * b_step].
-template <class B>
-[[gnu::always_inline]] inline void multiply(Sums& sum, const DoubleLanes* a, int a_row, int a_step,
-                                            const B* b, int b_column, int b_step, int count,
-                                            int part) {
+template <int columns, class B>
+[[gnu::always_inline]] inline void multiply(Sums<columns>& sum, const DoubleLanes* a, int a_row,
+                                            int a_step, const B* b, int b_column, int b_step,
+                                            int count, int part) {
 #pragma GCC unroll 4
     for (int i = 0; i < kTile; ++i) {
 #pragma GCC unroll 4
-        for (int c = 0; c < kColumns; ++c) sum[i][c] = Register{};
+        for (int c = 0; c < columns; ++c) sum[i][c] = Register{};
     }
     for (int k = 0; k < count; ++k, a += a_step, b += b_step) {
-        Register column[kColumns];
+        Register column[columns];
 #pragma GCC unroll 4
-        for (int c = 0; c < kColumns; ++c) column[c] = load(b + c * b_column, part);
+        for (int c = 0; c < columns; ++c) column[c] = load(b + c * b_column, part);
 #pragma GCC unroll 4
         for (int i = 0; i < kTile; ++i) {
             const Register row = load(a + i * a_row, part);
 #pragma GCC unroll 4
-            for (int c = 0; c < kColumns; ++c) sum[i][c] += row * column[c];
+            for (int c = 0; c < columns; ++c) sum[i][c] += row * column[c];
         }
     }
 }
@@ -46,15 +60,13 @@ template <class B>
 inline void multiply(Tile& t, const DoubleLanes* a, int a_row, int a_step, const B* b, int b_column,
                      int b_step, int count) {
     for (int part = 0; part < kRegisters; ++part) {
-        for (int j = 0; j < kTile; j += kColumns) {
-            Sums sum;
-            multiply(sum, a, a_row, a_step, b + j * b_column, b_column, b_step, count, part);
+        by_columns(0, kTile, [&](auto width, int j) {
+            Sums<width> sum;
+            multiply<width>(sum, a, a_row, a_step, b + j * b_column, b_column, b_step, count, part);
             for (int i = 0; i < kTile; ++i) {
-                for (int c = 0; c < kColumns; ++c) {
-                    store(sum[i][c], &t[i][j + c], part);
-                }
+                for (int c = 0; c < width; ++c) store(sum[i][c], &t[i][j + c], part);
             }
-        }
+        });
     }
 }
 
@@ -63,29 +75,26 @@ struct Strides {
     int row, column;
 };
 
-// A tile of X = L^-1 B, which may stand in its place: `l` are its rows of L and `solved` its columns of
-// X, both from the first of `count` rows of X that are known; `diagonal` is the tile of L to solve
-// with.
+// kTile rows of columns of X = L^-1 B, which may stand in its place: `l` are its rows of L and `solved`
+// its columns of X, both from the first of `count` rows of X that are known; `diagonal` is the tile of L
+// to solve with.
+template <int columns>
 inline void substitute(const DoubleLanes* l, const DoubleLanes* diagonal, int n,
                        const DoubleLanes* solved, int count, const DoubleLanes* b, DoubleLanes* to,
                        Strides at) {
     for (int part = 0; part < kRegisters; ++part) {
-        for (int j = 0; j < kTile; j += kColumns) {
-            Sums x;
-            multiply(x, l, n, 1, solved + j * at.column, at.column, at.row, count, part);
+        Sums<columns> x;
+        multiply<columns>(x, l, n, 1, solved, at.column, at.row, count, part);
 #pragma GCC unroll 4
-            for (int i = 0; i < kTile; ++i) {
+        for (int i = 0; i < kTile; ++i) {
 #pragma GCC unroll 4
-                for (int c = 0; c < kColumns; ++c) {
-                    const int element = i * at.row + (j + c) * at.column;
-                    x[i][c] = load(b + element, part) - x[i][c];
+            for (int c = 0; c < columns; ++c) {
+                const int element = i * at.row + c * at.column;
+                x[i][c] = load(b + element, part) - x[i][c];
 #pragma GCC unroll 4
-                    for (int k = 0; k < i; ++k) {
-                        x[i][c] -= load(diagonal + i * n + k, part) * x[k][c];
-                    }
-                    x[i][c] *= load(diagonal + i * n + i, part);
-                    store(x[i][c], to + element, part);
-                }
+                for (int k = 0; k < i; ++k) x[i][c] -= load(diagonal + i * n + k, part) * x[k][c];
+                x[i][c] *= load(diagonal + i * n + i, part);
+                store(x[i][c], to + element, part);
             }
         }
     }
@@ -130,57 +139,54 @@ void cholesky(DoubleLanes* a, int n) {
         const DoubleLanes* const rows = a + J * n;
         factor(rows, n, J, a + J * n + J);
         // Below, L_IJ^T = L_JJ^-1 (A_IJ^T - sum of L_JK L_IK^T).
-        for (int I = J + kTile; I < n; I += kTile) {
-            DoubleLanes* const tile = a + I * n + J;
-            substitute(rows, rows + J, n, a + I * n, J, tile, tile, {.row = 1, .column = n});
-        }
+        by_columns(J + kTile, n, [&](auto width, int i) {
+            DoubleLanes* const to = a + i * n + J;
+            substitute<width>(rows, rows + J, n, a + i * n, J, to, to, {.row = 1, .column = n});
+        });
     }
 }
 
 namespace {
 
-// The rows of X = L^-1 B from block column `first_row(J)` on; B is zero above it there.
+// X = L^-1 B, where B is zero above the row first_row(j) in column j and those after it.
 template <class FirstRow>
 void forward_solve_from(const DoubleLanes* l, const DoubleLanes* b, DoubleLanes* x, int n, int m,
                         FirstRow first_row) {
-    for (int J = 0; J < m; J += kTile) {
-        const int start = first_row(J);
+    by_columns(0, m, [&](auto width, int j) {
+        const int start = first_row(j) / kTile * kTile;
         for (int I = start; I < n; I += kTile) {
-            substitute(l + I * n + start, l + I * n + I, n, x + start * m + J, I - start,
-                       b + I * m + J, x + I * m + J, {.row = m, .column = 1});
+            substitute<width>(l + I * n + start, l + I * n + I, n, x + start * m + j, I - start,
+                              b + I * m + j, x + I * m + j, {.row = m, .column = 1});
         }
-    }
+    });
 }
 
-// C := a C + g W^T W; rows of W above first_row(J) are zero in block column J.
+// C := a C + g W^T W; rows of W above first_row(j) are zero in column j and those after it.
 template <class FirstRow>
 void add_gram_from(double a, DoubleLanes* c, double g, const DoubleLanes* w, int n, int m,
                    FirstRow first_row) {
     for (int I = 0; I < m; I += kTile) {
-        const int start = first_row(I);  // I >= J, so block I starts no earlier than block J
+        const int start = first_row(I);  // I >= j, so column I starts no earlier than column j
         const DoubleLanes* const rows = w + start * m;
-        for (int J = 0; J <= I; J += kTile) {
+        by_columns(0, I + kTile, [&](auto width, int j) {
             for (int part = 0; part < kRegisters; ++part) {
-                for (int j = J; j < J + kTile; j += kColumns) {
-                    Sums sum;
-                    multiply(sum, rows + I, 1, m, rows + j, 1, m, n - start, part);
+                constexpr int columns = width;
+                Sums<columns> sum;
+                multiply<columns>(sum, rows + I, 1, m, rows + j, 1, m, n - start, part);
 #pragma GCC unroll 4
-                    for (int i = 0; i < kTile; ++i) {
+                for (int i = 0; i < kTile; ++i) {
 #pragma GCC unroll 4
-                        for (int k = 0; k < kColumns; ++k) {
-                            DoubleLanes* const at = c + (I + i) * m + j + k;
-                            Register x = g * sum[i][k];
-                            if (a != 0) x += a * load(at, part);
-                            store(x, at, part);
-                        }
+                    for (int k = 0; k < columns; ++k) {
+                        DoubleLanes* const at = c + (I + i) * m + j + k;
+                        Register x = g * sum[i][k];
+                        if (a != 0) x += a * load(at, part);
+                        store(x, at, part);
                     }
                 }
             }
-            for (int i = 0; i < kTile; ++i) {
-                for (int j = 0; j < kTile; ++j) {
-                    if (J + j < I + i) c[(J + j) * m + I + i] = c[(I + i) * m + J + j];
-                }
-            }
+        });
+        for (int i = I; i < I + kTile; ++i) {
+            for (int j = 0; j < i; ++j) c[j * m + i] = c[i * m + j];
         }
     }
 }
