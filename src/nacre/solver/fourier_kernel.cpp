@@ -222,38 +222,38 @@ void FourierKernel::add_legendre(const std::vector<T>& series, const DoubleLanes
     // sum over n >= l of the terms times Lambda_n^l(mu_i) Lambda_n^l(mu_j), Lambda the Legendre
     // functions normalised by sqrt((n - l)!/(n + l)!).        [chandrasekhar-1960, sec. 48]
     const int degrees = static_cast<int>(series.size());
-    parallel_for(
-        orders_.begin, std::max(orders_.begin, std::min(orders_.end, degrees)), [&](int l) {
-            if (work) work->require_going(kSolving);
-            const int first = active.first(l), m = d.size() - first;
-            const int terms = degrees - l;
-            std::vector<double> lambda(static_cast<std::size_t>(m) * terms);
-            for (int i = 0; i < m; ++i) {
-                const double mu = d.mu[first + i], s = std::sqrt((1 - mu) * (1 + mu));
-                double* value = lambda.data() + static_cast<std::size_t>(i) * terms;
-                value[0] = 1.0;
-                for (int k = 1; k <= l; ++k) value[0] *= s * std::sqrt((2 * k - 1) / (2.0 * k));
-                if (terms > 1) value[1] = std::sqrt(2.0 * l + 1) * mu * value[0];
-                for (int k = 2; k < terms; ++k) {
-                    const double n = l + k;
-                    value[k] = ((2 * n - 1) * mu * value[k - 1] -
-                                std::sqrt((n - 1) * (n - 1) - 1.0 * l * l) * value[k - 2]) /
-                               std::sqrt(n * n - 1.0 * l * l);
-                }
+    const int end = std::max(orders_.begin, std::min(orders_.end, degrees));
+    parallel_for(orders_.begin, end, [&](int l) {
+        if (work) work->require_going(kSolving);
+        const int first = active.first(l), m = d.size() - first;
+        const int terms = degrees - l;
+        std::vector<double> lambda(static_cast<std::size_t>(m) * terms);
+        for (int i = 0; i < m; ++i) {
+            const double mu = d.mu[first + i], s = std::sqrt((1 - mu) * (1 + mu));
+            double* value = lambda.data() + static_cast<std::size_t>(i) * terms;
+            value[0] = 1.0;
+            for (int k = 1; k <= l; ++k) value[0] *= s * std::sqrt((2 * k - 1) / (2.0 * k));
+            if (terms > 1) value[1] = std::sqrt(2.0 * l + 1) * mu * value[0];
+            for (int k = 2; k < terms; ++k) {
+                const double n = l + k;
+                value[k] = ((2 * n - 1) * mu * value[k - 1] -
+                            std::sqrt((n - 1) * (n - 1) - 1.0 * l * l) * value[k - 2]) /
+                           std::sqrt(n * n - 1.0 * l * l);
             }
-            for (int i = 0; i < m; ++i) {
-                for (int j = 0; j <= i; ++j) {
-                    const double* a = lambda.data() + static_cast<std::size_t>(i) * terms;
-                    const double* b = lambda.data() + static_cast<std::size_t>(j) * terms;
-                    T even{}, odd{};
-                    for (int k = 0; k < terms; k += 2) even += series[l + k] * (a[k] * b[k]);
-                    for (int k = 1; k < terms; k += 2) odd += series[l + k] * (a[k] * b[k]);
-                    const std::size_t at = offset(l) + triangle(i) + j;
-                    same_[block][at] += narrow((even + odd) * scattering);
-                    opposite_[block][at] += narrow((even - odd) * scattering);
-                }
+        }
+        for (int i = 0; i < m; ++i) {
+            for (int j = 0; j <= i; ++j) {
+                const double* a = lambda.data() + static_cast<std::size_t>(i) * terms;
+                const double* b = lambda.data() + static_cast<std::size_t>(j) * terms;
+                T even{}, odd{};
+                for (int k = 0; k < terms; k += 2) even += series[l + k] * (a[k] * b[k]);
+                for (int k = 1; k < terms; k += 2) odd += series[l + k] * (a[k] * b[k]);
+                const std::size_t at = offset(l) + triangle(i) + j;
+                same_[block][at] += narrow((even + odd) * scattering);
+                opposite_[block][at] += narrow((even - odd) * scattering);
             }
-        });
+        }
+    });
 }
 
 }  // namespace nacre::solver

@@ -24,7 +24,7 @@ namespace {
 
 // Orders after which few wavelengths are looked for that tell all others.
 constexpr int kFirstOrders = 8;
-// Of these. More take longer to find than most paints take to be solved.
+// Blocks of these. More take longer to find than most paints take to be solved.
 constexpr int kMostBlocksOfFew = 2;
 
 // Making a block takes the time of about so many of its orders.

@@ -15,8 +15,8 @@ namespace nacre::solver {
 enum class InternalReflection { scattered, lost };
 
 /// Solves azimuthal orders, in parallel, until those omitted sum to less than `tolerance` of the peak.
-/// @param medium at wavelengths of one index of the binder
-/// @param work is told of group_work()
+/// @param medium  at wavelengths of one index of the binder
+/// @param work  counts what is done, group_work() at most
 /// @throws Error if a result is not finite; Stopped if `work` is
 GroupSolution solve_group(PaintMedium medium, const Resolution& resolution,
                           InternalReflection internal, double tolerance, SharedProgress& work);

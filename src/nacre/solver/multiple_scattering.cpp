@@ -76,7 +76,7 @@ struct Residual {
     LaneBuffer values;  // [wavelength]
     DoubleLanes square{}, largest{};
 
-    // Takes out what lies along `direction` too; null for what does not.
+    // Takes out what lies along `direction`, nothing if that is null, and measures what is left.
     void subtract(const double* direction) {
         // Two of each sum, as an addition waits for the one before.
         const std::size_t n = values.size(), even = n / 2 * 2;
