@@ -1,8 +1,9 @@
 // How long one walk of light takes, for eight wavelengths on one core: position-free, and through a
 // shell of paint on a sphere of 50 mm with either tracking; and how long it takes to bind a walk to
-// a set of wavelengths.
+// a set of wavelengths. And the reference: walks that connect to the six angles of an instrument,
+// on all cores.
 //
-//   ./dev bench --benchmark_filter=Walk
+//   ./dev bench --benchmark_filter='Walk|Reference'
 
 #include <benchmark/benchmark.h>
 
@@ -10,11 +11,13 @@
 #include <memory>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "nacre/core/file.h"
 #include "nacre/core/random.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/montecarlo/plane_walk.h"
+#include "nacre/montecarlo/reference.h"
 #include "nacre/montecarlo/shell_walk.h"
 
 namespace nacre::montecarlo {
@@ -69,6 +72,27 @@ void BM_WalkBind(benchmark::State& state, const std::string& name) {
 }
 BENCHMARK_CAPTURE(BM_WalkBind, metallic_gray, "metallic-gray");
 BENCHMARK_CAPTURE(BM_WalkBind, tio2_mica_80, "tio2-mica-80");
+
+/// `variance` is relative, at 45as45 and 550 nm: times the time of an iteration it is what counts.
+void BM_ReferenceSixAngles(benchmark::State& state, const std::string& name) {
+    constexpr std::uint64_t kWalks = 20'000;
+    const paint::Recipe recipe = paint(name);
+    const std::vector<Direction> incident = {{45, 0}};
+    const std::vector<Direction> outgoing = {{60, 180}, {30, 180}, {20, 180},
+                                             {0, 0},    {30, 0},   {65, 0}};
+    const std::vector<double> wavelengths_nm = {550};
+    double variance = 0;
+    for (auto _ : state) {
+        const Estimate f = reference_brdf(recipe, incident, outgoing, wavelengths_nm,
+                                          {.samples = kWalks, .seed = 1})[3];
+        variance = std::pow(f.standard_error / f.value, 2);
+    }
+    state.SetItemsProcessed(static_cast<std::int64_t>(kWalks) * state.iterations());
+    state.counters["variance"] = variance;
+}
+BENCHMARK_CAPTURE(BM_ReferenceSixAngles, metallic_silver, "metallic-silver")->UseRealTime();
+BENCHMARK_CAPTURE(BM_ReferenceSixAngles, satin_silver, "satin-silver")->UseRealTime();
+BENCHMARK_CAPTURE(BM_ReferenceSixAngles, white_pearl, "white-pearl")->UseRealTime();
 
 }  // namespace
 }  // namespace nacre::montecarlo

@@ -130,21 +130,26 @@ FloatLanes LeaningFlakes::seen_once(const Seen& i, const Seen& o) const {
 LeaningFlakes::Nearest LeaningFlakes::nearest(const Seen& seen_i, const Seen& seen_o) const {
     const float n = index_.mean;
     const Vec3f i = lean_.to_flakes(seen_i.inside), o = lean_.to_flakes(seen_o.inside);
-    Nearest pair{{0, 0, 1}, {0, 0, 1}, {}};
-    const Vec3f sum = i + o, apart = i - o;
-    if (!(dot(apart, apart) > 0)) return pair;
-    const Vec3f h = normalize(sum), e = normalize(apart);
-    if (h.z <= least_cosine_) return pair;  // of steep flakes, of which there are none
-    // cos d h.z - sin d |e.z| = least_cosine_, d half the angle between the two.
-    const float d =
-        std::acos(least_cosine_ / std::hypot(h.z, e.z)) - std::atan2(std::abs(e.z), h.z);
-    if (!(d > 0)) return pair;
-    const Vec3f there_i = std::cos(d) * h + std::sin(d) * e;
-    const Vec3f there_o = std::cos(d) * h - std::sin(d) * e;
+    const Vec3f apart = i - o, h = normalize(i + o);
+    Vec3f there_i, there_o;
+    const bool steep = h.z <= least_cosine_;
+    if (steep) {
+        const float flatter =
+            std::sqrt((1 - least_cosine_ * least_cosine_) / (h.x * h.x + h.y * h.y));
+        there_i = there_o = {h.x * flatter, h.y * flatter, least_cosine_};
+    } else {
+        const Vec3f e = dot(apart, apart) > 0 ? normalize(apart) : Vec3f{};
+        // cos d h.z - sin d |e.z| = least_cosine_, d half the angle between the two.
+        const float d =
+            std::acos(least_cosine_ / std::hypot(h.z, e.z)) - std::atan2(std::abs(e.z), h.z);
+        there_i = std::cos(d) * h + std::sin(d) * e;
+        there_o = std::cos(d) * h - std::sin(d) * e;
+    }
     const auto leave = [&](Vec3f in) {
         const float sine2 = n * n * (in.x * in.x + in.y * in.y);
         return normalize(Vec3f{n * in.x, n * in.y, std::sqrt(std::max(1e-8f, 1 - sine2))});
     };
+    Nearest pair;
     pair.wi = leave(there_i);
     pair.wo = leave(there_o);
     const auto asked_there = [&](Seen seen, float cosine) {
@@ -154,30 +159,33 @@ LeaningFlakes::Nearest LeaningFlakes::nearest(const Seen& seen_i, const Seen& se
         return seen;
     };
     const float longer = 1 / seen_i.inside.z - 1 / there_i.z + 1 / seen_o.inside.z - 1 / there_o.z;
-    pair.factor = seen_i.transmitted / transmittance(pair.wi.z) *
-                  (seen_o.transmitted / transmittance(pair.wo.z)) *
-                  seen_once(asked_there(seen_i, there_i.z), asked_there(seen_o, there_o.z)) *
-                  exp_lanes(-longer * coat_depth_);
+    pair.again = seen_i.transmitted / transmittance(pair.wi.z) *
+                 (seen_o.transmitted / transmittance(pair.wo.z)) * exp_lanes(-longer * coat_depth_);
+    if (!steep) {
+        pair.once =
+            pair.again * seen_once(asked_there(seen_i, there_i.z), asked_there(seen_o, there_o.z));
+    }
     return pair;
 }
 
 template <class F>
 FloatLanes LeaningFlakes::value(const Seen& i, const Seen& o, const FloatLanes& f,
                                 const F& beyond) const {
-    const ScatteredAgain again = flat_.scattered_again(i.flat, o.flat);
-    const ScatteredAgain twice = flat_.scattered_again(i.twice, o.twice);
-    FloatLanes once;
+    FloatLanes unreturned;
     if (beyond_critical(i, o)) {
         const Nearest pair = nearest(i, o);
-        const FloatLanes all = beyond(pair.wi, pair.wo);
-        once = max_lanes(all - flat_.scattered_again(pair.wi, pair.wo).all, FloatLanes{}) *
-               pair.factor;
+        const ScatteredAgain again = flat_.scattered_again(pair.wi, pair.wo);
+        unreturned = again.unreturned * pair.again +
+                     max_lanes(beyond(pair.wi, pair.wo) - again.all, FloatLanes{}) * pair.once;
     } else {
-        once = (f - min_lanes(again.all, f)) * once_factor(i, o);
+        const ScatteredAgain again = flat_.scattered_again(i.flat, o.flat);
+        unreturned = again.unreturned * i.again * o.again +
+                     (f - min_lanes(again.all, f)) * once_factor(i, o);
     }
+    const ScatteredAgain twice = flat_.scattered_again(i.twice, o.twice);
     const FloatLanes returned =
         max_lanes(twice.all - (twice.unreturned + twice.from_ground), FloatLanes{});
-    return once + again.unreturned * i.again * o.again + returned * i.again_twice * o.again_twice +
+    return unreturned + returned * i.again_twice * o.again_twice +
            from_ground(i, o, twice.from_ground);
 }
 
@@ -353,7 +361,7 @@ FloatLanes LeaningFlakes::flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, floa
         if (is_mean_beyond(patch)) return FloatLanes{};
         const Nearest pair = nearest(*i, *o);
         return flat_.flakes_at(patch, pair.wi, pair.wo, std::numeric_limits<float>::infinity()) *
-               pair.factor;
+               pair.once;
     }
     return flat_.flakes_at(patch, i->flat, o->flat, pdf / o->jacobian) * once_factor(*i, *o);
 }

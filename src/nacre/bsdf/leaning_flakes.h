@@ -50,10 +50,10 @@ namespace nacre::bsdf {
 /// here: both are divided by A - (A - 1) sqrt(rho* / rho).
 ///
 /// Inside, directions beyond the critical angle of flakes that lie flat leave where the flakes lean. The flat
-/// paint has no such direction and is asked, for what met one flake, with the pair of the same half vector
-/// that is just as far apart as it can leave: the same flakes, lit and seen less obliquely. What the
-/// interface returns of a lobe is odd about the critical angle: light from the ground is asked there, twice,
-/// less that of the direction as far on its other side.
+/// paint has no such direction and is asked, for all that left when it first met the interface, with the pair
+/// of the same half vector that is just as far apart as it can leave: the same flakes, lit and seen less
+/// obliquely. What the interface returns of a lobe is odd about the critical angle: light from the ground is
+/// asked there, twice, less that of the direction as far on its other side.
 ///
 /// All of it is derived here, from single scattering in a layer [chandrasekhar-1960] and from two
 /// streams as Kubelka and Munk have them [kubelka-munk-1931], along directions that mirrors exchange; errors
@@ -162,10 +162,11 @@ class LeaningFlakes final : public BoundBsdf {
     FloatLanes from_ground(const Seen& i, const Seen& o, const FloatLanes& twice) const;
 
     /// A pair of directions outside the flat paint that stands for one beyond its critical angle, and by
-    /// which what met one flake differs from it.
+    /// what light that was scattered again and that met one flake differ from it. No flakes are so steep
+    /// that they would mirror along the critical angle or beyond: `once` is zero there.
     struct Nearest {
         Vec3f wi, wo;
-        FloatLanes factor{};
+        FloatLanes again{}, once{};
     };
     Nearest nearest(const Seen& i, const Seen& o) const;
     /// Whether the flat paint has no such pair.

@@ -7,6 +7,11 @@
 namespace nacre::montecarlo {
 namespace {
 
+/// From places deeper than this, in optical depths along the way out, connections are made at
+/// random. Of a white layer of 20 mean free paths most of a walk is deeper, and hardly any of its
+/// light comes from there.
+constexpr double kSureOpticalDepth = 1;
+
 /// Observer that adds the contributions of a walk to a tally.
 class NextEventObserver {
  public:
@@ -36,11 +41,19 @@ class NextEventObserver {
         Lanes power = (probability / rate) * state.weight;
         if (!is_dark(slab.absorption_per_um))
             power *= attenuation(place * slab.absorption_per_um, medium_.lane_count);
+        // Roulette of connections: one is made if a free path goes as far. Its probability exp(-d),
+        // d optical depths beyond the sure ones, is the attenuation that it is spared then.
+        const double reach = kSureOpticalDepth + random_.exponential();
         for (std::size_t j = 0; j < connections_.size(); ++j) {
-            if (connections_[j].is_dark()) continue;
-            const Lanes scattered = slab.scattering(state.travel, connections_[j].travel());
+            const Connection& connection = connections_[j];
+            if (connection.is_dark()) continue;
+            const double least = connection.least_optical_depth(state.slab, depth);
+            if (least > reach) continue;
+            const Lanes scattered = slab.scattering(state.travel, connection.travel());
             if (is_dark(scattered)) continue;
-            tally_.radiance[j] += power * scattered * connections_[j].from_slab(state.slab, depth);
+            tally_.radiance[j] +=
+                power * scattered *
+                connection.from_slab(state.slab, depth, std::max(0.0, least - kSureOpticalDepth));
         }
     }
 
@@ -79,22 +92,25 @@ class NextEventObserver {
 Connection::Connection(const AirInterface::Weighted& inner, const Medium& medium)
     : travel_(inner.travel), weight_(inner.weight), lane_count_(medium.lane_count) {
     const double mu = travel_.z;
+    const auto least = [&](const Lanes& lanes) {
+        double result = lanes[0];
+        for (int i = 1; i < lane_count_; ++i) result = std::min(result, lanes[i]);
+        return result;
+    };
     Lanes depth{};
+    double least_depth = 0;
     for (const Slab& slab : medium.slabs) {
-        depth_above_.push_back(depth);
-        depth_per_um_.push_back(slab.extinction(travel_) / mu);
-        depth += slab.thickness_um * depth_per_um_.back();
+        const Lanes per_um = slab.extinction(travel_) / mu;
+        slabs_.push_back({depth, per_um, least_depth, least(per_um)});
+        depth += slab.thickness_um * per_um;
+        least_depth += slab.thickness_um * least(per_um);
     }
-    depth_above_.push_back(depth);
+    from_substrate_ = weight_ * attenuation(depth, lane_count_);
 }
 
-Lanes Connection::from_slab(std::size_t slab, double depth_um) const {
-    return (weight_ / travel_.z) *
-           attenuation(depth_above_[slab] + depth_um * depth_per_um_[slab], lane_count_);
-}
-
-Lanes Connection::from_substrate() const {
-    return weight_ * attenuation(depth_above_.back(), lane_count_);
+Lanes Connection::from_slab(std::size_t slab, double depth_um, double spared) const {
+    const Lanes depth = slabs_[slab].above + depth_um * slabs_[slab].per_um;
+    return (weight_ / travel_.z) * attenuation(depth - spared, lane_count_);
 }
 
 void WalkTally::clear() {

@@ -127,18 +127,30 @@ class Connection {
 
     const Vec3d& travel() const { return travel_; }
     bool is_dark() const { return weight_ == 0; }
+    /// A bound from below, over the wavelengths, of the optical depth along the connection from
+    /// `depth_um` below the top of slab number `slab`.
+    double least_optical_depth(std::size_t slab, double depth_um) const {
+        return slabs_[slab].least_above + depth_um * slabs_[slab].least_per_um;
+    }
     /// Radiance outside per unit power scattered per sr and unit area at `depth_um` below the top
     /// of slab number `slab`: attenuation, 1 / mu and the interface's weight.
-    Lanes from_slab(std::size_t slab, double depth_um) const;
+    /// @param spared  optical depth that is not counted
+    Lanes from_slab(std::size_t slab, double depth_um, double spared = 0) const;
     /// Radiance outside per unit radiance that leaves the substrate.
-    Lanes from_substrate() const;
+    const Lanes& from_substrate() const { return from_substrate_; }
 
  private:
+    /// Optical depth along the direction: of what lies above a slab, and per um of depth in it.
+    struct Depths {
+        Lanes above, per_um;
+        double least_above, least_per_um;  ///< over the wavelengths
+    };
+
     Vec3d travel_;
     double weight_;
     int lane_count_;
-    std::vector<Lanes> depth_above_;   // optical depth of the slabs above, along the direction
-    std::vector<Lanes> depth_per_um_;  // optical depth per um of depth in the slab
+    std::vector<Depths> slabs_;
+    Lanes from_substrate_;
 };
 
 /// Receives what a walk contributes.

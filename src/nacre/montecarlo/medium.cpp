@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "nacre/core/error.h"
+#include "nacre/core/parallel.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/paint/expansion.h"
 
@@ -115,9 +116,11 @@ Lanes Flakes::scattering(const Vec3d& in, const Vec3d& out) const {
            optics.reflectance(cosine);
 }
 
-Lanes Flakes::extinction(const Vec3d& w) const {
-    return extinction(lean ? std::min(1.0, std::abs(dot(w, lean->n))) : w.z);
+double Flakes::cosine_to_mean_normal(const Vec3d& w) const {
+    return lean ? std::min(1.0, std::abs(dot(w, lean->n))) : w.z;
 }
+
+Lanes Flakes::extinction(const Vec3d& w) const { return extinction(cosine_to_mean_normal(w)); }
 
 Lanes Flakes::extinction(double mu) const {
     // w = (s, 0, mu), m = (-x, -y, 1)/sqrt(1 + x^2 + y^2): w.m has a kink at x = mu / s, so x gets
@@ -208,21 +211,22 @@ Lanes Slab::scattering(const Vec3d& in, const Vec3d& out) const {
     return sum;
 }
 
-Lanes Slab::extinction(double mu) const {
-    return extinction(Vec3d{std::sqrt(std::max(0.0, 1 - mu * mu)), 0, mu});
+Lanes Slab::extinction(const Vec3d& w) const {
+    return extinction(flakes.empty() ? w.z : flakes.front().cosine_to_mean_normal(w));
 }
 
-Lanes Slab::extinction(const Vec3d& w) const {
-    if (!extinction_table.empty()) return interpolate(extinction_table, w.z);
+Lanes Slab::extinction(double cosine) const {
+    if (!extinction_table.empty()) return interpolate(extinction_table, cosine);
     Lanes sum = absorption_per_um + pigment_scattering_per_um;
-    for (const Flakes& species : flakes) sum += species.extinction(w);
+    for (const Flakes& species : flakes) sum += species.extinction(cosine);
     return sum;
 }
 
 void Slab::tabulate_extinction() {
-    std::vector<Lanes> table;
-    for (int i = 0; i <= kExtinctionTableIntervals; ++i)
-        table.push_back(extinction(static_cast<double>(i) / kExtinctionTableIntervals));
+    std::vector<Lanes> table(flakes.empty() ? 1 : kExtinctionTableIntervals + 1);
+    parallel_for(0, table.size(), [&](std::size_t i) {
+        table[i] = extinction(static_cast<double>(i) / kExtinctionTableIntervals);
+    });
     extinction_table = std::move(table);
 }
 

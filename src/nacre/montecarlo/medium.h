@@ -79,6 +79,9 @@ struct Flakes {
     /// alone: it is reciprocal.
     Lanes scattering(const Vec3d& in, const Vec3d& out) const;
 
+    /// |w.n| of a direction w, w_z > 0, and the mean normal n.
+    double cosine_to_mean_normal(const Vec3d& w) const;
+
     /// Extinction of a ray along a direction of cosine mu to the mean normal, by reflection and
     /// absorption, in 1/um: c E[(1 - T(|w.m|)) |w.m|] over the slopes, by quadrature in the two slope
     /// components. Relative error for constant T: kExtinctionRelativeError.
@@ -133,13 +136,14 @@ struct Slab {
     double candidate_rate_per_um() const { return flake_rate_per_um + pigment_rate_per_um; }
     /// Scattered power per um of path and sr of flakes and pigments.
     Lanes scattering(const Vec3d& in, const Vec3d& out) const;
-    /// Total extinction along a direction w, w_z > 0: by quadrature, or from the table.
+    /// Total extinction along a direction w, w_z > 0. All flakes of a slab lean alike.
     Lanes extinction(const Vec3d& w) const;
-    /// The same of flakes that do not lean, at the cosine to the normal.
-    Lanes extinction(double mu) const;
+    /// The same by the cosine |w.n| to the mean normal of the flakes, in [0, 1]: by quadrature, or
+    /// from the table.
+    Lanes extinction(double cosine) const;
     /// Makes extinction() cheap, for many directions: linear between kExtinctionTableIntervals
-    /// equal steps of mu, which is right to kExtinctionTableError of the extinction along the
-    /// normal. Of flakes that do not lean.
+    /// equal steps of the cosine, which is right to kExtinctionTableError of the extinction along
+    /// the mean normal.
     void tabulate_extinction();
     /// Fills in pigment_scattering_per_um and pigment_rate_per_um.
     void sum_pigments();

@@ -150,8 +150,12 @@ void run_all(const paint::Recipe& recipe, std::span<const Direction> incident,
     blocks.add(0);
     std::uint64_t number = 0;
     for (const std::span<const double>& batch : all_batches) {
-        const Medium medium(recipe, batch, &blocks);
+        Medium medium(recipe, batch, &blocks);
         const auto interface = make_air_interface(recipe, medium.index);
+        // Under an interface that scatters each walk connects to each detector by a way of its own.
+        if (interface->scatters()) {
+            for (Slab& slab : medium.slabs) slab.tabulate_extinction();
+        }
         for (std::size_t group = 0; group < groups; ++group) {
             const std::size_t first_detector = group * kMaxDetectorsPerWalk;
             const auto own_detectors = std::span(detectors).subspan(
