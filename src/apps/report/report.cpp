@@ -69,11 +69,6 @@ void Report::definitions(const std::vector<Definition>& definitions) {
     body_ += "</dl>\n";
 }
 
-void Report::preformatted(const std::string& lines) {
-    // HTML drops one line feed after <pre>.
-    body_ += "<pre tabindex=\"0\">\n" + escape_html(lines) + "</pre>\n";
-}
-
 void Report::table(const Table& table) { body_ += table_html(table, ++tables_); }
 
 void Report::pictures(const std::vector<Picture>& pictures, int columns,

@@ -71,9 +71,6 @@ class Report {
 
     void definitions(const std::vector<Definition>& definitions);
 
-    /// Lines of a terminal or a file, without markup.
-    void preformatted(const std::string& lines);
-
     /// @throws DomainError if a row has another number of cells than there are columns, or a swatch
     /// is no colour
     void table(const Table& table);

@@ -28,7 +28,6 @@ Report full_report(const std::string& text, bool with_plot) {
     report.note(text);
     report.bullets({text, text});
     report.definitions({{text, text}});
-    report.preformatted(text);
     report.table({.caption = text,
                   .columns = {text, text},
                   .rows = {{{.text = text, .strong = true, .swatch = "#aabbcc", .footnote = text},

@@ -88,9 +88,6 @@ class FacetField {
     template <class Visit>
     void for_each_facet(const Footprint& footprint, Visit&& visit) const;
 
-    /// The smallest cells: 4^level of them.
-    int leaf_level() const { return leaf_level_; }
-
  private:
     // A square cell; `inside`: wholly within the footprint.
     struct Cell {
@@ -147,7 +144,7 @@ class FacetField {
     double count_, alpha_;
     float alpha_f_;
     std::uint64_t seed_key_;
-    int leaf_level_, table_level_;
+    int leaf_level_, table_level_;  ///< of the smallest cells, 4^level of them; of those in table_
     ConeRule rule_;
     std::shared_ptr<const NormalTree> normals_;
     std::vector<std::uint64_t> table_;  // counts of the cells of the first levels, level by level
