@@ -309,6 +309,30 @@ TEST(LeaningFlakes, AreReciprocal) {
     }
 }
 
+// Where directions pass the critical angle of the flakes' frame, on any side of the lamp, also where no
+// flake would mirror between the two.
+TEST(LeaningFlakes, ChangeLittleFromOneDirectionToTheNext) {
+    const LeaningFlakes leaning(tinted_metallic(), Lean({-0.176f, 0.0f}));
+    const Vec3f wi = direction(70, 0);
+    int beyond = 0;
+    double change = 0, largest = 0;
+    for (const double azimuth : {0.0, 40.0, 90.0, 140.0, 180.0}) {
+        double before = leaning.eval(wi, direction(40, azimuth))[0];
+        constexpr double kStep_deg = 0.05;
+        for (double theta = 40 + kStep_deg; theta < 85; theta += kStep_deg) {
+            const Vec3f wo = direction(theta, azimuth);
+            const double f = leaning.eval(wi, wo)[0];
+            change = std::max(change, std::abs(f - before));
+            largest = std::max(largest, f);
+            before = f;
+            beyond += leaning.pdf(wi, wo) <= 0.26 * std::numbers::inv_pi * wo.z;
+        }
+    }
+    std::printf("[ measured ] steps of up to %.4f\n", change / largest);
+    EXPECT_LT(change, 0.01 * largest);
+    EXPECT_GT(beyond, 500);  // there only a quarter of the samples arrive, evenly
+}
+
 TEST(LeaningFlakes, SamplesHaveTheDensityThatPdfGives) {
     int cases = 0;
     for (const Vec2f t : kTangents) {

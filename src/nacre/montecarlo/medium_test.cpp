@@ -91,6 +91,36 @@ TEST(Slab, TabulatedExtinctionKeepsToTheQuadrature) {
     }
 }
 
+TEST(Slab, TabulatedExtinctionOfLeaningFlakesIsAboutTheirMeanNormal) {
+    Slab slab;
+    slab.flakes.push_back(flakes_of(0.1, .5, .2));
+    slab.flakes.back().lean = FlakeFrame({0.1, -0.14});
+    slab.absorption_per_um = splat(0.01);
+    Slab tabulated = slab;
+    tabulated.tabulate_extinction();
+    const double along_normal = slab.extinction(slab.flakes.back().lean->n)[0];
+    double least = along_normal;
+    for (double phi : {0.3, 2.1, 4.4}) {
+        for (double mu : {0.05, 0.4, 0.98}) {
+            const Vec3d w = at_cosine(mu, phi);
+            EXPECT_NEAR(tabulated.extinction(w)[0], slab.extinction(w)[0],
+                        kExtinctionTableError * along_normal)
+                << mu << " " << phi;
+            least = std::min(least, slab.extinction(w)[0]);
+        }
+    }
+    EXPECT_LT(least, 0.3 * along_normal);
+}
+
+TEST(Slab, WithoutFlakesItsExtinctionIsTheSameInAllDirections) {
+    Slab slab;
+    slab.absorption_per_um = splat(0.01);
+    slab.pigments.push_back({splat(0.02), 0.5});
+    slab.sum_pigments();
+    slab.tabulate_extinction();
+    EXPECT_DOUBLE_EQ(slab.extinction(at_cosine(0.2, 1))[0], 0.03);
+}
+
 TEST(Flakes, ScatteringIntegratesToTheExtinctionOfPerfectMirrors) {
     for (double alpha : {0.1, 0.3, 0.5}) {
         const Flakes species = flakes_of(alpha, 1, 0);
