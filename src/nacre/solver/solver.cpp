@@ -6,6 +6,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/core/memory.h"
+#include "nacre/solver/fourier_kernel.h"
 #include "nacre/solver/group_solver.h"
 #include "nacre/solver/resolution.h"
 #include "nacre/solver/wavelength_groups.h"
