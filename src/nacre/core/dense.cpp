@@ -69,15 +69,35 @@ Eigen::MatrixXd gram_matrix(const RowMajorView& a) {
     // Of so many rows at least each, and not of fewer for more threads, which would round otherwise.
     constexpr Eigen::Index kRows = 2048, kMostPieces = 16;
     const Eigen::Index pieces = std::clamp<Eigen::Index>(a.rows() / kRows, 1, kMostPieces);
-    std::vector<Eigen::MatrixXd> sums(pieces);
+    std::vector<Eigen::MatrixXd> sums(pieces, Eigen::MatrixXd::Zero(a.cols(), a.cols()));
     parallel_for(0, sums.size(), [&](std::size_t k) {
         const auto from = [&](Eigen::Index piece) { return a.rows() * piece / pieces; };
         const auto piece = static_cast<Eigen::Index>(k);
         const auto rows = a.middleRows(from(piece), from(piece + 1) - from(piece));
-        sums[k].noalias() = rows.transpose() * rows;
+        sums[k].selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
     });
     for (std::size_t k = 1; k < sums.size(); ++k) sums[0] += sums[k];
-    return std::move(sums[0]);
+    return sums[0].selfadjointView<Eigen::Lower>();
+}
+
+Eigen::MatrixXd right_singular_vectors(RowMajorMatrix a) {
+    // Rounding of A^T A, 1e-16 of its largest eigenvalue, hides singular values below 1e-8 of the largest. So
+    // those above 1e-4 lead, and the others are taken from what these leave of each row. There the span of
+    // those that lead has eigenvalues of its own, larger than all others, so that all vectors together are
+    // orthonormal.
+    const Eigen::Index columns = a.cols();
+    const SymmetricEigen all = symmetric_eigen(gram_matrix(a));
+    const double least = 1e-8 * all.values[columns - 1];
+    const Eigen::Index leading = (all.values.array() > least).count(), others = columns - leading;
+    const Eigen::MatrixXd lead = all.vectors.rightCols(leading).rowwise().reverse();
+    const RowMajorMatrix along = a * lead;
+    a.noalias() -= along * lead.transpose();
+    const SymmetricEigen rest =
+        symmetric_eigen(gram_matrix(a) + 4 * least * lead * lead.transpose());
+    Eigen::MatrixXd vectors(columns, columns);
+    vectors.leftCols(leading) = lead;
+    vectors.rightCols(others) = rest.vectors.leftCols(others).rowwise().reverse();
+    return vectors;
 }
 
 }  // namespace nacre

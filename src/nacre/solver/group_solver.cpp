@@ -22,8 +22,10 @@ namespace nacre::solver {
 
 namespace {
 
+// Orders that are solved before one looks whether the series has ended.
+constexpr int kChunk = 4;
 // Orders after which few wavelengths are looked for that tell all others.
-constexpr int kFirstOrders = 8;
+constexpr int kFirstOrders = kChunk;
 // Blocks of these. More take longer to find than most paints take to be solved.
 constexpr int kMostBlocksOfFew = 2;
 
@@ -86,7 +88,6 @@ class GroupSolver {
 
     // Solves orders until those omitted sum to less than `tolerance` of the peak.
     GroupSolution run(double tolerance) {
-        constexpr std::size_t kChunk = 4;
         GroupSolution out;
         out.exit_angle = directions_.exit_angle;
         out.inner_nodes = directions_.size() - directions_.exit_count;
@@ -101,15 +102,16 @@ class GroupSolver {
         }
         const std::vector<int> sequence = solved_orders(static_cast<int>(first_.size()));
         double last_chunk = 0;
-        for (std::size_t from = 0; from < sequence.size(); from += kChunk) {
+        const auto count = static_cast<int>(sequence.size());
+        for (int from = 0; from < count; from += kChunk) {
             if (from == kFirstOrders && few_may_do_) {
-                if (auto few = representatives(sequence[kChunk - 1], tolerance)) {
+                if (auto few = representatives(kFirstOrders - 1, tolerance)) {
                     return solve_few(std::move(*few), out.unresolved_scattering, tolerance);
                 }
                 make_kernels({.begin = kFirstOrders});
             }
             const auto chunk_orders =
-                std::span(sequence).subspan(from, std::min(kChunk, sequence.size() - from));
+                std::span(sequence).subspan(from, std::min(kChunk, count - from));
             solve_orders(chunk_orders);
             double chunk = 0;
             for (int l : chunk_orders) {

@@ -71,6 +71,20 @@ double power_of_two_below(double x) { return x > 0 ? std::ldexp(1.0, std::ilogb(
 // Pairs that a thread takes at once.
 constexpr std::size_t kPairsAtOnce = 512;
 
+// Some of the rows over their scales, of which the spectra are those of all: rows of neighbouring pairs and
+// orders differ by little. Not over the scales, dark pairs would hardly count beside bright ones.
+RowMajorMatrix typical_rows(const Eigen::Map<const RowMajorMatrix>& rows,
+                            const std::vector<double>& scale) {
+    constexpr Eigen::Index kAtLeast = 768, kForEachWavelength = 8;
+    const Eigen::Index enough = kAtLeast + kForEachWavelength * rows.cols();
+    RowMajorMatrix out(std::min(rows.rows(), enough), rows.cols());
+    for (Eigen::Index i = 0; i < out.rows(); ++i) {
+        const Eigen::Index from = i * rows.rows() / out.rows();
+        out.row(i) = rows.row(from) / scale[from];
+    }
+    return out;
+}
+
 // What some directions leave of eight rows.
 struct Residual {
     LaneBuffer values;  // [wavelength]
@@ -107,15 +121,15 @@ struct Residual {
     }
 };
 
-// For each of two tolerances, the smallest number of eigenvectors, those of the largest eigenvalues,
-// whose span leaves of no row more than the tolerance times its scale at any wavelength.
+// For each of two tolerances, the smallest number of spectra, the first ones, whose span leaves of no row
+// more than the tolerance times its scale at any wavelength.
 std::array<int, 2> ranks_needed(const Eigen::Map<const RowMajorMatrix>& rows,
-                                const SymmetricEigen& eigen,
+                                const Eigen::MatrixXd& spectra,
                                 const std::array<std::vector<double>, 2>& scales,
                                 double tolerance) {
     const auto wavelengths = static_cast<std::size_t>(rows.cols());
     const auto count = static_cast<std::size_t>(rows.rows());
-    // By number of eigenvectors: whether they leave too much of some row.
+    // By number of spectra: whether they leave too much of some row.
     std::array<std::vector<char>, 2> fails;
     fails.fill(std::vector<char>(wavelengths, 0));
     std::mutex mutex;
@@ -137,7 +151,7 @@ std::array<int, 2> ranks_needed(const Eigen::Map<const RowMajorMatrix>& rows,
             }
             const DoubleLanes least = min_lanes(limit[0], limit[1]);
             for (std::size_t k = 0; k < wavelengths; ++k) {
-                residual.subtract(k ? eigen.vectors.col(wavelengths - k).data() : nullptr);
+                residual.subtract(k ? spectra.col(k - 1).data() : nullptr);
                 // Further directions make the norm no larger, though they may the largest value.
                 if (!(lane_max(residual.square - least * least) > 0)) break;
                 for (int t = 0; t < 2; ++t) here[t][k] |= lane_max(residual.largest - limit[t]) > 0;
@@ -205,17 +219,16 @@ MultipleScattering compress(std::vector<double> exit_angle, std::vector<int> fir
         const auto at = static_cast<Eigen::Index>(from), n = static_cast<Eigen::Index>(to - from);
         largest.segment(at, n) = all.middleRows(at, n).cwiseAbs().rowwise().maxCoeff();
     });
-    const Eigen::MatrixXd gram = gram_matrix(all);
-    const SymmetricEigen eigen = symmetric_eigen(gram);
     std::array<std::vector<double>, 2> scales = {pair_scales(out, largest, 1),
                                                  pair_scales(out, largest, kFineShare)};
+    const Eigen::MatrixXd spectra = right_singular_vectors(typical_rows(all, scales[0]));
     // Half of the tolerance is for the rank, half for rounding.
-    const auto [coarse, fine] = ranks_needed(all, eigen, scales, 0.5 * tolerance);
+    const auto [coarse, fine] = ranks_needed(all, spectra, scales, 0.5 * tolerance);
     out.table_rank = coarse;
-    const bool finely = fine * pairs <= kMaxFineCoefficients;
-    const int rank = finely ? fine : coarse;
-    const std::vector<double>& scale = scales[finely ? 1 : 0];
-    const RowMajorMatrix basis = eigen.vectors.rightCols(rank).rowwise().reverse().transpose();
+    const int rank =
+        std::max(coarse, std::min(fine, static_cast<int>(kMaxFineCoefficients / pairs)));
+    const std::vector<double>& scale = scales[rank * pairs <= kMaxFineCoefficients ? 1 : 0];
+    const RowMajorMatrix basis = spectra.leftCols(rank).transpose();
     for (int k = 0; k < rank; ++k) {
         for (int w = 0; w < wavelength_count; ++w) {
             out.basis.push_back(static_cast<float>(basis(k, w)));

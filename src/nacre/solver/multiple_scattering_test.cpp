@@ -185,6 +185,67 @@ TEST(MultipleScattering, ManyPairsAreCompressedAlikeByAnyNumberOfThreads) {
     EXPECT_LE(worst, (kFineShare * kTolerance + 5e-7) * 1.12);
 }
 
+TEST(MultipleScattering, DarkPairsKeepSpectraOfTheirOwn) {
+    // Two spectra at most pairs; 1e-7 of that and two other spectra where one direction is among the last.
+    const Example example(0.0);
+    constexpr int kNodes = 12, kFirstDark = 9, kWavelengths = 9;
+    constexpr double kDark = 1e-7, kTolerance = 1e-4;
+    std::vector<double> values;
+    std::vector<char> dark;
+    for (int i = 0; i < kNodes; ++i) {
+        for (int j = 0; j <= i; ++j) {
+            dark.push_back(i >= kFirstDark);
+            for (int w = 0; w < kWavelengths; ++w) {
+                const double bright = std::cos(i + 2 * j) + std::sin(j) * w / 9.0;
+                const double other =
+                    std::cos(i + j) * std::sin(w) + std::cos(3.0 * j) * std::cos(2 * w);
+                values.push_back(i >= kFirstDark ? kDark * other : bright);
+            }
+        }
+    }
+    const MultipleScattering r = compress(example.angle, {0}, kWavelengths, values, kTolerance);
+    EXPECT_EQ(r.rank(), 4);
+    for (std::size_t p = 0; p < dark.size(); ++p) {
+        for (int w = 0; w < kWavelengths; ++w) {
+            EXPECT_NEAR(reconstruct(r, p, w, r.rank()), values[p * kWavelengths + w],
+                        (kFineShare * kTolerance + 5e-7) * (dark[p] ? 2 * kDark : 2))
+                << p;
+        }
+    }
+}
+
+// Noise, of which every spectrum counts.
+TEST(MultipleScattering, WhatIsTooLargeKeepsTheSpectraThatTheToleranceNeeds) {
+    const std::vector<double> angle = make_directions(1.0, 44, 0).exit_angle;
+    const std::vector<int> first(12, 0);
+    constexpr int kWavelengths = 31;
+    const std::size_t pairs = first.size() * triangle(angle.size());
+    std::mt19937 engine(3);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    for (const double noise : {1e-5, 1e-3}) {
+        std::vector<double> values;
+        for (std::size_t p = 0; p < pairs * kWavelengths; ++p)
+            values.push_back(1 + noise * uniform(engine));
+        constexpr double kTolerance = 1e-4;
+        const MultipleScattering r = compress(angle, first, kWavelengths, values, kTolerance);
+        double worst = 0;
+        for (std::size_t p = 0; p < pairs; ++p) {
+            for (int w = 0; w < kWavelengths; ++w) {
+                worst = std::max(
+                    worst, std::abs(reconstruct(r, p, w, r.rank()) - values[p * kWavelengths + w]));
+            }
+        }
+        EXPECT_LE(worst, kTolerance);
+        if (noise < kTolerance) {  // one spectrum would do: there is room for more
+            EXPECT_EQ(r.table_rank, 1);
+            EXPECT_EQ(r.rank(), static_cast<int>(kMaxFineCoefficients / pairs));
+        } else {
+            EXPECT_EQ(r.table_rank, kWavelengths);
+            EXPECT_EQ(r.rank(), kWavelengths);
+        }
+    }
+}
+
 TEST(MultipleScattering, OrdersVanishTowardsTheNormalFromTheirFirstNode) {
     // 400 orders that are nonzero on the outermost four nodes only and are in phase at phi = pi.
     // Towards the normal nothing may depend on azimuth, where the polynomial through the zeros of

@@ -110,7 +110,7 @@ TEST(RepresentativeWavelengths, APaintIsAsItsWavelengthsSolvedAlone) {
     paint::Recipe film = smooth;
     film.layers[0].flakes[0].body = optics::Platelet{.core = {optics::Material(1.58), 450, {}},
                                                      .coats = {{optics::Material(2.5), 300, {}}}};
-    // Whose colour changes so much within a lobe that orders beyond the first eight differ as well.
+    // Whose colour changes so much within a lobe that orders beyond the first ones differ as well.
     const auto metal = [](optics::ComplexIndex n) {
         return optics::Material("metal", {400, 700}, std::vector<optics::ComplexIndex>{n, n});
     };
