@@ -81,10 +81,10 @@ Eigen::MatrixXd gram_matrix(const RowMajorView& a) {
 }
 
 Eigen::MatrixXd right_singular_vectors(RowMajorMatrix a) {
-    // Rounding of A^T A, 1e-16 of its largest eigenvalue, hides singular values below 1e-8 of the largest. So
-    // those above 1e-4 lead, and the others are taken from what these leave of each row. There the span of
-    // those that lead has eigenvalues of its own, larger than all others, so that all vectors together are
-    // orthonormal.
+    // Rounding of A^T A, 1e-16 of its largest eigenvalue, hides singular values below 1e-8 of the
+    // largest. So those above 1e-4 lead, and the others are taken from what these leave of each row.
+    // There the span of those that lead is given eigenvalues larger than all others, so that all
+    // vectors together are orthonormal.
     const Eigen::Index columns = a.cols();
     const SymmetricEigen all = symmetric_eigen(gram_matrix(a));
     const double least = 1e-8 * all.values[columns - 1];

@@ -41,9 +41,9 @@ using RowMajorView = Eigen::Ref<const RowMajorMatrix>;
 RowMajorMatrix product(const RowMajorView& a, const RowMajorView& b);
 RowMajorMatrix product_with_transposed(const RowMajorView& a, const RowMajorView& b);
 Eigen::MatrixXd gram_matrix(const RowMajorView& a);
-/// The right singular vectors of A as columns, those of the largest singular values first. A has many more
-/// rows than columns, so that they come from A^T A; those of singular values down to 1e-12 of the largest are
-/// true all the same.
+/// The right singular vectors of A as columns, those of the largest singular values first: the
+/// eigenvectors of A^T A, which is small where A has many more rows than columns, in two steps that
+/// also find those of singular values down to 1e-12 of the largest.
 Eigen::MatrixXd right_singular_vectors(RowMajorMatrix a);
 /// Adds A B^T.
 void add_product_with_transposed(RowMajorMatrix& to, const RowMajorView& a, const RowMajorView& b);

@@ -71,8 +71,8 @@ double power_of_two_below(double x) { return x > 0 ? std::ldexp(1.0, std::ilogb(
 // Pairs that a thread takes at once.
 constexpr std::size_t kPairsAtOnce = 512;
 
-// Some of the rows over their scales, of which the spectra are those of all: rows of neighbouring pairs and
-// orders differ by little. Not over the scales, dark pairs would hardly count beside bright ones.
+// Some of the rows over their scales, of which the spectra are those of all: rows of neighbouring
+// pairs and orders differ by little. Undivided, dark pairs would hardly count beside bright ones.
 RowMajorMatrix typical_rows(const Eigen::Map<const RowMajorMatrix>& rows,
                             const std::vector<double>& scale) {
     constexpr Eigen::Index kAtLeast = 768, kForEachWavelength = 8;
@@ -121,8 +121,8 @@ struct Residual {
     }
 };
 
-// For each of two tolerances, the smallest number of spectra, the first ones, whose span leaves of no row
-// more than the tolerance times its scale at any wavelength.
+// For each of two tolerances, the smallest number of spectra, the first ones, whose span leaves of
+// no row more than the tolerance times its scale at any wavelength.
 std::array<int, 2> ranks_needed(const Eigen::Map<const RowMajorMatrix>& rows,
                                 const Eigen::MatrixXd& spectra,
                                 const std::array<std::vector<double>, 2>& scales,

@@ -32,8 +32,8 @@ struct MultipleScattering {
     std::vector<float> basis;        ///< [k][wavelength]
     std::vector<float> coefficient;  ///< [k][pair], pairs by order, then rows i >= j from first[l]
     double lobe_width = 0;  ///< of a sine; 0: polynomials interpolate the values themselves
-    /// The first so many spectra suffice where values may err by the tolerance itself, not by a hundredth
-    /// of it: in tables for pictures, whose own interpolation errs by more.
+    /// The first so many spectra suffice where values may err by the tolerance itself, not by a
+    /// hundredth of it: in tables for pictures, whose own interpolation errs by more.
     int table_rank = 0;
 
     int orders() const { return static_cast<int>(first.size()); }
@@ -69,15 +69,15 @@ inline constexpr double kBlackBrdf = 1e-8;
 /// larger than each of them by far, and errs by less; but at dark angles beside a lobe orders cancel,
 /// and the errors of all of them show.
 inline constexpr double kFineShare = 0.01;
-/// The most coefficients that are kept so finely, 1 MB and a quarter of that in a file; flakes of alpha <
-/// 0.03 with fringes would have more.
+/// The most coefficients that are kept so finely, 1 MB and a quarter of that in a file; flakes of
+/// alpha < 0.03 with fringes would have more.
 inline constexpr int kMaxFineCoefficients = 1 << 18;
 
 /// Values [pair][wavelength] in, compressed so that no value errs by more than `tolerance` times
 /// kFineShare of the smaller of the largest values that its two directions have, or kBlackBrdf: by
 /// truncating the spectral basis and rounding the coefficients. Where that takes more than
-/// kMaxFineCoefficients, as many spectra are kept, or, if these are too few for it, those that leave no more
-/// than `tolerance` of that; then coefficients are rounded to as much, too.
+/// kMaxFineCoefficients, as many spectra are kept, and they leave up to `tolerance` of that; if more
+/// are needed for it, these are kept, and coefficients are rounded to as much, too.
 MultipleScattering compress(std::vector<double> exit_angle, std::vector<int> first,
                             int wavelength_count, std::span<const double> values, double tolerance);
 

@@ -186,7 +186,7 @@ TEST(MultipleScattering, ManyPairsAreCompressedAlikeByAnyNumberOfThreads) {
 }
 
 TEST(MultipleScattering, DarkPairsKeepSpectraOfTheirOwn) {
-    // Two spectra at most pairs; 1e-7 of that and two other spectra where one direction is among the last.
+    // Two spectra at most pairs; 1e-7 of that and two others where one direction is among the last.
     const Example example(0.0);
     constexpr int kNodes = 12, kFirstDark = 9, kWavelengths = 9;
     constexpr double kDark = 1e-7, kTolerance = 1e-4;
