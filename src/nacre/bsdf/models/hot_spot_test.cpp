@@ -188,7 +188,7 @@ TEST(HotSpotClosing, LosesNoLightWhereNothingAbsorbs) {
             }
             const auto paint = shared_solution(recipe);
             const HotSpotBrdf brdf(*paint);
-            for (const double theta_deg : {2.0, 45.0, 75.0}) {
+            for (const double theta_deg : {2.0, 45.0, 75.0, 86.0}) {
                 const double theta = theta_deg * kDegree;
                 const double specular = optics::dielectric_reflectance(1.0, 1.5, std::cos(theta));
                 EXPECT_NEAR(specular + albedo_at_540(brdf, theta), 1, 1e-4)
