@@ -359,7 +359,7 @@ TEST_F(Files, AFullDiskLeavesTheOldFile) {
     }
 }
 
-TEST_F(Files, PlotsNeedTheirLetters) {
+TEST_F(Files, PlotsNeedTheirLettersAndWhatDrawsThem) {
     write("fonts.conf",
           "<?xml version=\"1.0\"?><!DOCTYPE fontconfig SYSTEM \"fonts.dtd\">"
           "<fontconfig></fontconfig>");
@@ -374,6 +374,12 @@ TEST_F(Files, PlotsNeedTheirLetters) {
         kAtlas + "-o m.png");
     EXPECT_EQ(files.status, 3);
     EXPECT_THAT(files.err, HasSubstr("its letters need 8 open files"));
+    const Outcome library = shell(
+        "mkdir lib; echo none > lib/librsvg-2.so.2; LD_LIBRARY_PATH=\"$PWD/lib\" \"$NACRE\" " +
+        kAtlas + "-o m.png");
+    EXPECT_EQ(library.status, 3);
+    EXPECT_THAT(library.err, AllOf(HasSubstr("a picture cannot be drawn: "),
+                                   HasSubstr("/lib/librsvg-2.so.2: file too short")));
     EXPECT_FALSE(exists("m.png"));
     EXPECT_EQ(nacre(kAtlas + "-o m.png").status, 0);
     EXPECT_TRUE(exists("m.png"));

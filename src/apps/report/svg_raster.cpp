@@ -1,6 +1,7 @@
 #include "apps/report/svg_raster.h"
 
 #include <cairo.h>
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <librsvg/rsvg.h>
@@ -20,11 +21,52 @@ namespace nacre::report {
 
 namespace {
 
+/// librsvg, with cairo and GObject on which it stands, from the first picture on: they come with forty
+/// libraries, and a third of the time in which the program started went into loading them.
+struct Librsvg {
+    template <class Function>
+    static Function* find(const char* name) {
+        constexpr const char* kLibrary = "librsvg-2.so.2";
+        static void* const library = ::dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
+        void* const found = library ? ::dlsym(library, name) : nullptr;
+        if (found) return reinterpret_cast<Function*>(found);
+        const char* const reason = ::dlerror();
+        throw Error(fmt::format("a picture cannot be drawn: {} of {}: {}", name, kLibrary,
+                                reason ? reason : "it could not be loaded before"));
+    }
+#define NACRE_FIND(name) decltype(::name)* name = find<decltype(::name)>(#name)
+    NACRE_FIND(rsvg_handle_new_from_data);
+    NACRE_FIND(rsvg_handle_get_intrinsic_size_in_pixels);
+    NACRE_FIND(rsvg_handle_render_document);
+    NACRE_FIND(g_object_unref);
+    NACRE_FIND(g_error_free);
+    NACRE_FIND(cairo_create);
+    NACRE_FIND(cairo_destroy);
+    NACRE_FIND(cairo_status);
+    NACRE_FIND(cairo_status_to_string);
+    NACRE_FIND(cairo_image_surface_create);
+    NACRE_FIND(cairo_image_surface_get_data);
+    NACRE_FIND(cairo_image_surface_get_width);
+    NACRE_FIND(cairo_image_surface_get_height);
+    NACRE_FIND(cairo_image_surface_get_stride);
+    NACRE_FIND(cairo_surface_destroy);
+    NACRE_FIND(cairo_surface_flush);
+    NACRE_FIND(cairo_surface_status);
+    NACRE_FIND(cairo_surface_write_to_png_stream);
+#undef NACRE_FIND
+};
+
+/// @throws Error if it cannot be loaded
+const Librsvg& librsvg() {
+    static const Librsvg functions;
+    return functions;
+}
+
 struct Release {
-    void operator()(RsvgHandle* handle) const { g_object_unref(handle); }
-    void operator()(GError* error) const { g_error_free(error); }
-    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-    void operator()(cairo_t* context) const { cairo_destroy(context); }
+    void operator()(RsvgHandle* handle) const { librsvg().g_object_unref(handle); }
+    void operator()(GError* error) const { librsvg().g_error_free(error); }
+    void operator()(cairo_surface_t* surface) const { librsvg().cairo_surface_destroy(surface); }
+    void operator()(cairo_t* context) const { librsvg().cairo_destroy(context); }
 };
 template <class T>
 using Owned = std::unique_ptr<T, Release>;
@@ -37,8 +79,8 @@ std::string message_of(GError* error) {
 
 Owned<RsvgHandle> parse(std::string_view svg) {
     GError* error = nullptr;
-    Owned<RsvgHandle> handle(
-        rsvg_handle_new_from_data(reinterpret_cast<const guint8*>(svg.data()), svg.size(), &error));
+    Owned<RsvgHandle> handle(librsvg().rsvg_handle_new_from_data(
+        reinterpret_cast<const guint8*>(svg.data()), svg.size(), &error));
     if (!handle) throw DomainError("the text is no SVG: " + message_of(error));
     return handle;
 }
@@ -50,14 +92,15 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned int size)
 
 void require_success(cairo_status_t status) {
     if (status == CAIRO_STATUS_SUCCESS) return;
-    throw Error(fmt::format("a picture cannot be drawn: {}", cairo_status_to_string(status)));
+    throw Error(
+        fmt::format("a picture cannot be drawn: {}", librsvg().cairo_status_to_string(status)));
 }
 
 /// The drawing on a surface of 32-bit pixels: `scale` of them for one px.
 Owned<cairo_surface_t> draw(std::string_view svg, double scale) {
     const Owned<RsvgHandle> handle = parse(svg);
     double width_px = 0, height_px = 0;
-    if (!rsvg_handle_get_intrinsic_size_in_pixels(handle.get(), &width_px, &height_px)) {
+    if (!librsvg().rsvg_handle_get_intrinsic_size_in_pixels(handle.get(), &width_px, &height_px)) {
         throw DomainError("the SVG does not say its size in px");
     }
     const double width = std::round(width_px * scale), height = std::round(height_px * scale);
@@ -65,16 +108,16 @@ Owned<cairo_surface_t> draw(std::string_view svg, double scale) {
         throw DomainError(fmt::format("a picture of {} x {} pixels: must have 1 to {}", width,
                                       height, kMaxRasterPixels));
     }
-    Owned<cairo_surface_t> surface(cairo_image_surface_create(
+    Owned<cairo_surface_t> surface(librsvg().cairo_image_surface_create(
         CAIRO_FORMAT_ARGB32, static_cast<int>(width), static_cast<int>(height)));
-    require_success(cairo_surface_status(surface.get()));
-    const Owned<cairo_t> context(cairo_create(surface.get()));
+    require_success(librsvg().cairo_surface_status(surface.get()));
+    const Owned<cairo_t> context(librsvg().cairo_create(surface.get()));
     const RsvgRectangle whole{0, 0, width, height};
     GError* error = nullptr;
-    if (!rsvg_handle_render_document(handle.get(), context.get(), &whole, &error)) {
+    if (!librsvg().rsvg_handle_render_document(handle.get(), context.get(), &whole, &error)) {
         throw Error("a picture cannot be drawn: " + message_of(error));
     }
-    require_success(cairo_status(context.get()));
+    require_success(librsvg().cairo_status(context.get()));
     return surface;
 }
 
@@ -104,11 +147,11 @@ int inked_columns(char letter, const char* weight) {
                          "font-weight=\"{}\">{}</text></svg>",
                          weight, letter),
              1);
-    cairo_surface_flush(surface.get());
-    const unsigned char* const data = cairo_image_surface_get_data(surface.get());
-    const int width = cairo_image_surface_get_width(surface.get());
-    const int height = cairo_image_surface_get_height(surface.get());
-    const int stride = cairo_image_surface_get_stride(surface.get());
+    librsvg().cairo_surface_flush(surface.get());
+    const unsigned char* const data = librsvg().cairo_image_surface_get_data(surface.get());
+    const int width = librsvg().cairo_image_surface_get_width(surface.get());
+    const int height = librsvg().cairo_image_surface_get_height(surface.get());
+    const int stride = librsvg().cairo_image_surface_get_stride(surface.get());
     int columns = 0;
     for (int x = 0; x < width; ++x) {
         bool inked = false;
@@ -143,7 +186,7 @@ std::string png_of_svg(std::string_view svg, double scale) {
     if (svg.find("<text") != std::string_view::npos) require_fonts();
     const Owned<cairo_surface_t> surface = draw(svg, scale);
     std::string png;
-    require_success(cairo_surface_write_to_png_stream(surface.get(), append, &png));
+    require_success(librsvg().cairo_surface_write_to_png_stream(surface.get(), append, &png));
     return png;
 }
 
