@@ -7,6 +7,7 @@
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
 #include "nacre/io/described_toml.h"
+#include "nacre/io/file_kind.h"
 #include "nacre/io/image.h"
 #include "nacre/render/scene_description.h"
 
@@ -74,6 +75,10 @@ std::string without_negative_light(std::vector<float>& rgb, const std::string& n
 SceneDescription parse_scene(std::string_view text, const std::string& filename,
                              const References& references) {
     io::TomlDocument document(text, filename, references);
+    if (document.root().contains("ior") && io::file_kind(text) == io::FileKind::recipe) {
+        throw InputError(fmt::format(
+            "{}: is a recipe; needed here is a scene, whose paint it may be", filename));
+    }
     SceneDescription scene;
     scene.references = references;
     const paint::Described described(scene);
@@ -94,14 +99,6 @@ SceneDescription parse_scene(std::string_view text, const std::string& filename,
         rethrow_with_location(document, error.what());
     }
     return scene;
-}
-
-bool looks_like_scene(std::string_view text, const std::string& filename) {
-    const io::TomlDocument document(text, filename, {});
-    for (std::string_view key : {"camera", "materials", "shapes", "lights", "environment"}) {
-        if (document.root().contains(key)) return true;
-    }
-    return false;
 }
 
 SceneDescription read_scene(const std::filesystem::path& path) {

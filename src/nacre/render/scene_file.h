@@ -30,8 +30,4 @@ SceneDescription parse_scene(std::string_view text, const std::string& filename,
 /// @return what there is to say; empty: nothing
 std::string without_negative_light(std::vector<float>& rgb, const std::string& name);
 
-/// Whether a TOML text has a table that only scenes have.
-/// @throws InputError if it is not TOML
-bool looks_like_scene(std::string_view text, const std::string& filename);
-
 }  // namespace nacre::render

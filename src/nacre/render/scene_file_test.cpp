@@ -184,8 +184,10 @@ TEST(SceneFile, MayBeKeptToItsFolder) {
 }
 
 TEST(SceneFile, IsToldFromARecipe) {
-    EXPECT_TRUE(looks_like_scene(kScene, "scene.toml"));
-    EXPECT_FALSE(looks_like_scene("ior = 1.5\n[[layer]]\nthickness_um = 1\n", "paint.toml"));
+    const std::string recipe = "ior = 1.5\n[[layer]]\nthickness_um = 1\n";
+    EXPECT_EQ(error_of(recipe),
+              "scene.toml: is a recipe; needed here is a scene, whose paint it may be");
+    EXPECT_THAT(error_of("ior = 1.5\n" + kScene), HasSubstr("ior = 1.5: unknown key"));
 }
 
 struct BadScene {

@@ -245,10 +245,5 @@ TEST(BrdfTableSvd, RefusesSettingsOutOfRange) {
     EXPECT_THROW(compress(noise, {0, 0.01}), Error);
 }
 
-TEST(BrdfTableSvd, AddedErrorsCostPsnr) {
-    EXPECT_NEAR(psnr_loss_db(1, 1), 10 * std::log10(2), 1e-12);
-    EXPECT_NEAR(psnr_loss_db(0.048, 1), 0.01, 1e-4);
-}
-
 }  // namespace
 }  // namespace nacre::bsdf

@@ -168,8 +168,4 @@ double relative_error(const CompressedBrdfTable& compressed, const RawBrdfTable&
     return sum > 0 ? std::sqrt(lost / sum) : 0.0;
 }
 
-double psnr_loss_db(double added, double error) {
-    return 10 * std::log10(1 + (added / error) * (added / error));
-}
-
 }  // namespace nacre::bsdf

@@ -87,8 +87,4 @@ inline constexpr double kZeroChannel = 1e-6;
 /// squares of row (i, o) divided by peak_i peak_o, the largest values that each direction has.
 double relative_error(const CompressedBrdfTable& compressed, const RawBrdfTable& raw);
 
-/// Loss of PSNR in dB of a picture whose root mean square error was `error`, if an independent one
-/// of `added` joins it: 10 log10(1 + (added/error)^2).
-double psnr_loss_db(double added, double error);
-
 }  // namespace nacre::bsdf
