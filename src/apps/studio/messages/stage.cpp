@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "nacre/core/text.h"
 #include "nacre/render/builtin_scenes.h"
@@ -145,9 +147,6 @@ Tree json_of_shape(const SceneDescription& scene, const std::string& name, const
 }
 
 }  // namespace
-
-std::vector<std::string> shape_names() { return names_of(kShapes); }
-std::vector<std::string> light_names() { return names_of(kLights); }
 
 SceneDescription scene_of(const Stage& stage) {
     SceneDescription scene = bare_scene(stage);

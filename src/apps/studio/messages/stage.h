@@ -3,7 +3,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "apps/studio/messages/own_files.h"
 #include "apps/studio/messages/recipe_tree.h"
@@ -36,9 +35,6 @@ struct Stage {
     std::shared_ptr<const OwnShape> own_shape = {};
     std::shared_ptr<const OwnLight> own_light = {};
 };
-
-std::vector<std::string> shape_names();
-std::vector<std::string> light_names();
 
 /// @throws InputError naming shape or light, and those that there are; DomainError naming a number
 ///         out of range
