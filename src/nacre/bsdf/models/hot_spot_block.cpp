@@ -16,7 +16,7 @@ constexpr int kRadii = 12, kAzimuths = 10;
 /// Nodes over half the azimuths of what is scattered evenly. Gaps are shared by two rays whose slopes are
 /// alike, over the fewer azimuths the steeper slopes there are; without a coat there is no end of them.
 int exit_azimuths(double ior) {
-    return static_cast<int>(std::ceil(std::clamp(8 / std::sqrt(ior * ior - 1), 8.0, 24.0)));
+    return static_cast<int>(std::ceil(std::clamp(8 / std::sqrt(ior * ior - 1), 8.0, 48.0)));
 }
 
 FloatLanes to_float(const DoubleLanes& x) { return __builtin_convertvector(x, FloatLanes); }
