@@ -24,16 +24,23 @@ namespace {
 /// librsvg, with cairo and GObject on which it stands, from the first picture on: they come with forty
 /// libraries, and a third of the time in which the program started went into loading them.
 struct Librsvg {
-    template <class Function>
-    static Function* find(const char* name) {
-        constexpr const char* kLibrary = "librsvg-2.so.2";
-        static void* const library = ::dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
-        void* const found = library ? ::dlsym(library, name) : nullptr;
-        if (found) return reinterpret_cast<Function*>(found);
-        const char* const reason = ::dlerror();
-        throw Error(fmt::format("a picture cannot be drawn: {} of {}: {}", name, kLibrary,
-                                reason ? reason : "it could not be loaded before"));
+    static constexpr const char* kLibrary = "librsvg-2.so.2";
+
+    static void* open() {
+        void* const opened = ::dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
+        if (!opened) throw Error(fmt::format("a picture cannot be drawn: {}", ::dlerror()));
+        return opened;
     }
+    template <class Function>
+    Function* find(const char* name) const {
+        void* const found = ::dlsym(library, name);
+        if (!found) {
+            throw Error(fmt::format("a picture cannot be drawn: {} has no {}", kLibrary, name));
+        }
+        return reinterpret_cast<Function*>(found);
+    }
+
+    void* library = open();
 #define NACRE_FIND(name) decltype(::name)* name = find<decltype(::name)>(#name)
     NACRE_FIND(rsvg_handle_new_from_data);
     NACRE_FIND(rsvg_handle_get_intrinsic_size_in_pixels);
