@@ -32,7 +32,8 @@ std::vector<int> strata(int film, int count) {
 
 bool varies(const optics::FilmPopulation& film) { return film.spread.standard_deviation_nm > 0; }
 
-/// Of the set: [platelet][film], core first.
+}  // namespace
+
 std::vector<std::vector<double>> representative_thicknesses_nm(const optics::Platelet& platelet) {
     std::vector<const optics::FilmPopulation*> films = {&platelet.core};
     for (const optics::FilmPopulation& coat : platelet.coats) films.push_back(&coat);
@@ -50,20 +51,6 @@ std::vector<std::vector<double>> representative_thicknesses_nm(const optics::Pla
                                  ? optics::thickness_quantile(law->thickness_nm, law->spread,
                                                               (order[i] + 0.5) / count)
                                  : law->thickness_nm);
-        }
-    }
-    return set;
-}
-
-}  // namespace
-
-std::vector<optics::Platelet> representative_platelets(const optics::Platelet& platelet) {
-    std::vector<optics::Platelet> set;
-    for (const std::vector<double>& films : representative_thicknesses_nm(platelet)) {
-        optics::Platelet& one = set.emplace_back(platelet);
-        one.core = {platelet.core.material, films[0], {}};
-        for (std::size_t c = 0; c < platelet.coats.size(); ++c) {
-            one.coats[c] = {platelet.coats[c].material, films[c + 1], {}};
         }
     }
     return set;

@@ -84,8 +84,9 @@ std::shared_ptr<const FlakeFilms> flake_films(const optics::Platelet& platelet,
                                               double min_cosine, SharedProgress* work = nullptr,
                                               int cosine_intervals = FlakeFilms::kCosineIntervals);
 
-/// The platelets of the set, none of whose films varies; one where none varies in the first place.
-std::vector<optics::Platelet> representative_platelets(const optics::Platelet& platelet);
+/// Thickness of the films of the set's platelets, nm: [platelet][film], core first. One platelet where
+/// no film varies.
+std::vector<std::vector<double>> representative_thicknesses_nm(const optics::Platelet& platelet);
 
 inline FloatLanes BoundFlakeFilms::ratio(float cosine, std::uint32_t film) const {
     const std::uint64_t set = (film * sets_) >> 32;

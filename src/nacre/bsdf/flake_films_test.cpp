@@ -63,7 +63,7 @@ TEST(FlakeFilms, AllBitsFindASetAndAllSetsAreFound) {
 // their colours.
 double worst_second_moment(const optics::Platelet& platelet, double cosine) {
     const BoundFlakeFilms films = films_of(platelet);
-    const int sets = static_cast<int>(representative_platelets(platelet).size());
+    const int sets = static_cast<int>(representative_thicknesses_nm(platelet).size());
     // The distribution by Gauss-Legendre or Gauss-Hermite rules.
     DoubleLanes sum{};
     std::array<DoubleLanes, kLanes> products{};
@@ -114,17 +114,16 @@ TEST(FlakeFilms, EachFilmTakesEachQuantileOfItsLawOnce) {
     optics::Platelet platelet = pearl({60}, {5});
     platelet.coats.push_back({optics::find_material("SiO2"), 90, {8}});
     platelet.coats.push_back({optics::find_material("TiO2_anatase"), 70, {}});
-    const auto set = representative_platelets(platelet);
+    const auto set = representative_thicknesses_nm(platelet);
     ASSERT_EQ(set.size(), static_cast<std::size_t>(FlakeFilms::kManyFilmsSet));
     std::set<double> core, first, second, joint;
-    for (const auto& p : set) {
-        EXPECT_FALSE(FlakeFilms::vary(p));
-        core.insert(p.core.thickness_nm);
-        first.insert(p.coats[0].thickness_nm);
-        second.insert(p.coats[1].thickness_nm);
-        EXPECT_EQ(p.coats[2].thickness_nm, 70);
-        joint.insert((p.core.thickness_nm > 500) + 2 * (p.coats[0].thickness_nm > 110) +
-                     4 * (p.coats[1].thickness_nm > 90));
+    for (const std::vector<double>& films_nm : set) {
+        ASSERT_EQ(films_nm.size(), 4u);
+        core.insert(films_nm[0]);
+        first.insert(films_nm[1]);
+        second.insert(films_nm[2]);
+        EXPECT_EQ(films_nm[3], 70);
+        joint.insert((films_nm[0] > 500) + 2 * (films_nm[1] > 110) + 4 * (films_nm[2] > 90));
     }
     for (const auto* film : {&core, &first, &second}) {
         EXPECT_EQ(film->size(), static_cast<std::size_t>(FlakeFilms::kManyFilmsSet));
