@@ -73,8 +73,8 @@ TEST(RenderNoise, WhatACoatMirrorsIsSeenByEverySample) {
         RenderOptions options{.width = 48, .height = 48, .samples_per_pixel = 16};
         const double noise = noise_of(besides, options), before = noise_of(by_lot, options);
         EXPECT_LT(noise, (name == "sphere" ? 0.5 : 1.05) * before);
-        const Estimate a = testing::estimate_luminance(besides, options, DirectLight::combined, 6);
-        const Estimate b = testing::estimate_luminance(by_lot, options, DirectLight::combined, 6);
+        const Estimate a = testing::estimate_luminance(besides, options, DirectLight::combined, 10);
+        const Estimate b = testing::estimate_luminance(by_lot, options, DirectLight::combined, 10);
         const double error = std::hypot(a.standard_error, b.standard_error);
         EXPECT_NEAR(a.value, b.value, 4.5 * error);
         EXPECT_LT(error, 0.005 * b.value);

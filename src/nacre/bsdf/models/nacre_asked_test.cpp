@@ -42,7 +42,7 @@ TEST(NacreAsked, FlakesAndTheRestAddUpToTheMean) {
         for (const double flakes : {4.0, 1000.0}) {
             Rng rng(31, 1);
             Sample ratio;
-            for (int n = 0; n < 80000; ++n) {
+            for (int n = 0; n < 120000; ++n) {
                 const Patch patch = apart(rng, side_of_flakes(flakes));
                 const FloatLanes f = model.bound->evaluate_on(patch, wi, wo).f +
                                      model.bound->flakes_at(patch, wi, wo, kUnweighed);
