@@ -27,10 +27,13 @@ class BoundDiffusePicture final : public BoundBsdf {
             basis_[c] =
                 make_lanes([&](int i) { return static_cast<float>(basis[c](wavelengths_nm[i])); });
         }
-        Colour sum{};
+        // In double precision: of millions of pixels single precision drops a tenth.
+        std::array<double, 3> sum{};
         for (std::size_t i = 0; i < pixels_->rgb.size(); ++i) sum[i % 3] += pixels_->rgb[i];
-        const float count = static_cast<float>(pixels_->rgb.size() / 3);
-        mean_ = spectrum({sum[0] / count, sum[1] / count, sum[2] / count});
+        const double count = static_cast<double>(pixels_->rgb.size() / 3);
+        Colour mean;
+        for (int c = 0; c < 3; ++c) mean[c] = static_cast<float>(sum[c] / count);
+        mean_ = spectrum(mean);
     }
 
     FloatLanes eval(Vec3f wi, Vec3f wo) const override { return value(mean_, wi, wo); }

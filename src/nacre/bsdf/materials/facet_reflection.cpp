@@ -46,6 +46,11 @@ float refracting_index(const optics::Material& material) {
             "and absorb by keys of their own",
             material.name(), index.real(), index.imag(), kWavelength_nm));
     }
+    if (index.real() < 1) {
+        throw DomainError(
+            fmt::format("index = '{}' is {:.4g} at {} nm; glass and plastic take one of at least 1",
+                        material.name(), index.real(), kWavelength_nm));
+    }
     return static_cast<float>(index.real());
 }
 

@@ -74,7 +74,8 @@ auto diffuse_mean(F&& value) {
 std::optional<MicrofacetDistribution> facets_of(double roughness);
 
 /// The index by which a scene's materials refract, which do not disperse: that at 550 nm.
-/// @throws DomainError if the material absorbs there or its data do not reach there
+/// @return at least 1
+/// @throws DomainError if the material absorbs there, its index is below 1 or its data do not reach there
 float refracting_index(const optics::Material& material);
 
 }  // namespace nacre::bsdf

@@ -26,7 +26,11 @@ class GlassSide {
  public:
     /// @param index  of the far side over that of the side of wi
     GlassSide(float index, const std::optional<MicrofacetDistribution>& facets)
-        : index_(index), facets_(facets) {}
+        : index_(index), facets_(facets) {
+        // Facets that do not refract are not there; the half vector of what goes straight on is 0 / 0.
+        constexpr float kLeastRefraction = 1e-4f;
+        if (std::abs(index - 1) < kLeastRefraction) facets_.reset();
+    }
 
     /// Both for directions on either side.
     BsdfValue evaluate(Vec3f wi, Vec3f wo) const {
@@ -166,6 +170,7 @@ class BoundPane final : public BoundBsdf {
     };
     Share share_at(float cosine) const {
         const float f = optics::fresnel_dielectric(index_, cosine);
+        if (f >= 1) return {splat(1.0f), FloatLanes{}};
         const float inside = optics::refracted_cos(1.0f, index_, cosine);
         const FloatLanes t = exp_lanes(depth_ * (-1 / inside));
         const FloatLanes through = ((1 - f) * (1 - f)) * t / (splat(1.0f) - (f * f) * t * t);

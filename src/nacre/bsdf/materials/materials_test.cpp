@@ -191,6 +191,21 @@ TEST(Glass, RoughFacesAreSampledByTheirDensityOnBothSides) {
     }
 }
 
+TEST(Glass, OfTheIndexOfItsSurroundingIsNotSeen) {
+    const auto bound = Glass(optics::Material(1.0), 0.0, 0.1).bind(kMaterialsAt);
+    const Vec3f wi = direction(40, 10);
+    const auto s = bound->sample(wi, 0.3f, {0.2f, 0.7f});
+    ASSERT_TRUE(s.has_value());
+    EXPECT_EQ(s->kind, SampleKind::specular);
+    EXPECT_NEAR(length(s->wo + wi), 0, 1e-6);
+    EXPECT_EQ(s->weight[0], 1);
+}
+
+TEST(Glass, RefusesAnIndexBelowOne) {
+    EXPECT_THAT(message_of<DomainError>([] { Glass(optics::Material(0.8), 0.0, 0); }),
+                HasSubstr("is 0.8 at 550 nm; glass and plastic take one of at least 1"));
+}
+
 TEST(Glass, AbsorbsAlongTheWayInside) {
     const auto outside = Glass(optics::Material(1.5), 0.02, 0).bind(kMaterialsAt);
     EXPECT_EQ(outside->passed(30)[2], 1);
@@ -246,6 +261,13 @@ TEST(DiffusePicture, ReadsItsPixelsFromTheTopAndBlendsBetweenTheirMiddles) {
     EXPECT_NEAR(reflectance(0.5, 0.5), 0.5, 1e-3);
     EXPECT_NEAR(reflectance(0, 0.25), 0.875, 1e-3);  // half way round the edge
     EXPECT_NEAR(bound->albedo(up)[4], 0.5, 1e-3);
+}
+
+TEST(DiffusePicture, ItsMeanIsThatOfMillionsOfPixels) {
+    constexpr int kWidth = 1920, kHeight = 1080;
+    const DiffusePicture picture(
+        {kWidth, kHeight, std::vector<float>(std::size_t{3} * kWidth * kHeight, 0.1f)});
+    EXPECT_NEAR(picture.bind(kMaterialsAt)->albedo({0, 0, 1})[4], 0.1, 1e-4);
 }
 
 TEST(DiffusePicture, RefusesWhatNoSurfaceReflects) {

@@ -129,16 +129,22 @@ std::string sha256_of(render::SceneDescription scene,
                 mesh->read ? mesh_sha256(*mesh->read) : mesh_sha256(mesh->path, scene.references);
         }
     }
-    for (auto& [name, material] : scene.materials) {
-        auto* paint = std::get_if<render::PaintMaterial>(&material);
-        if (paint) paint->recipe = paints.at(name);
-    }
     Sha256 sum;
-    if (scene.environment) {
-        if (auto* image = std::get_if<render::ImageEnvironment>(&*scene.environment)) {
-            sum.update(fmt::format("{} x {}\n", image->width, image->height));
-            sum.update(image->rgb.data(), image->rgb.size() * sizeof(float));
+    // Their descriptions name a file, not its pixels.
+    const auto add_pixels = [&](std::string_view of, const auto& image) {
+        sum.update(fmt::format("{}: {} x {}\n", of, image.width, image.height));
+        sum.update(image.rgb.data(), image.rgb.size() * sizeof(float));
+    };
+    for (auto& [name, material] : scene.materials) {
+        if (auto* paint = std::get_if<render::PaintMaterial>(&material)) {
+            paint->recipe = paints.at(name);
+        } else if (const auto* seen = std::get_if<render::DiffusePictureMaterial>(&material)) {
+            add_pixels(name, *seen);
         }
+    }
+    if (scene.environment) {
+        const auto* image = std::get_if<render::ImageEnvironment>(&*scene.environment);
+        if (image) add_pixels("environment", *image);
     }
     sum.update(io::write_described(paint::Described::to_inspect(scene)));
     return sum.hex();

@@ -135,9 +135,11 @@ TEST(Picture, ASharesSceneHasItsFilesContents) {
     folder.write("a.obj", "v 0 0 0\nv 20 0 0\nv 0 10 0\nf 1 2 3\n");
     folder.write("b.obj", "v 0 0 0\nv 20 0 0\nv 0 10 0\nf 1 2 3\n");
     folder.write("c.obj", "v 0 0 0\nv 20 0 0\nv 0 11 0\nf 1 2 3\n");
-    const auto sha256 = [&](const std::string& mesh, float sky) {
+    const auto sha256 = [&](const std::string& mesh, float sky, float tile = 0.5f) {
         render::SceneDescription scene;
         scene.materials["grey"] = render::DiffuseMaterial{};
+        scene.materials["tiles"] =
+            render::DiffusePictureMaterial{.width = 1, .height = 1, .rgb = {tile, 0.5f, 0.5f}};
         scene.shapes.push_back({render::MeshFile{.path = folder / mesh}, "grey", {}});
         scene.environment = render::ImageEnvironment{.width = 1, .height = 1, .rgb = {1, 1, sky}};
         return Scene(scene).render_share(kTiny, {}).scene_sha256;
@@ -145,6 +147,7 @@ TEST(Picture, ASharesSceneHasItsFilesContents) {
     EXPECT_EQ(sha256("a.obj", 1), sha256("b.obj", 1));
     EXPECT_NE(sha256("a.obj", 1), sha256("c.obj", 1));
     EXPECT_NE(sha256("a.obj", 1), sha256("a.obj", 0.5f));
+    EXPECT_NE(sha256("a.obj", 1), sha256("a.obj", 1, 0.25f));
 }
 
 TEST(Picture, SaysWhatDoesNotFit) {
