@@ -1,5 +1,6 @@
 #include "nacre/optics/particles.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -131,16 +132,18 @@ TEST(Particles, LegendreSeriesIsThePhaseFunctionOfMie) {
 struct Sum {
     double scattering = 0, absorption = 0, forward = 0;
 };
-Sum brute_force(const Spheres& s, double volume, double median_nm) {
-    constexpr int kSizes = 4000;
-    const double k = 2 * std::numbers::pi * 1.5 / 550;
+/// @param median_nm  by volume
+Sum brute_force(const Spheres& s, double volume, double median_nm, double wavelength_nm) {
+    constexpr int kSizes = 16000;
+    const double k = 2 * std::numbers::pi * 1.5 / wavelength_nm;
+    const ComplexIndex index = s.material.index(wavelength_nm) / 1.5;
     Sum sum;
     double law = 0;
     for (int i = 0; i <= kSizes; ++i) {
         const double t = kSpreadCut * (2.0 * i / kSizes - 1),
                      d = median_nm * std::exp(s.spread * t);
         const double weight = std::exp(-t * t / 2);
-        const MieEfficiencies e = MieSeries(k * d / 2, s.material.index(550) / 1.5).efficiencies();
+        const MieEfficiencies e = MieSeries(k * d / 2, index).efficiencies();
         law += weight;
         sum.scattering += weight * 1500 * volume / d * e.scattering;
         sum.absorption += weight * 1500 * volume / d * e.absorption();
@@ -153,11 +156,30 @@ TEST(Particles, AveragesOverTheirSizes) {
     for (double spread : {0.1, 0.2, 0.3, 0.5}) {
         Spheres spheres = rutile(250, spread);
         spheres.material = Material(ComplexIndex(2.75, 0.02));
-        const Sum sum = brute_force(spheres, 0.1, 250);
+        const Sum sum = brute_force(spheres, 0.1, 250, 550);
         const ParticleOptics optics = particle_optics(spheres, 0.1, 1.5, kGreenLight);
         EXPECT_NEAR(optics.scattering_per_um[0] / sum.scattering, 1, kParticleError) << spread;
         EXPECT_NEAR(optics.absorption_per_um[0] / sum.absorption, 1, kParticleError) << spread;
         EXPECT_NEAR(optics.phase.coefficient(1, 0), sum.forward, kParticleError) << spread;
+    }
+}
+
+// Without absorption resonances are as narrow as they can be; towards the blue spheres are the largest.
+TEST(Particles, AveragesOverTheResonancesOfClearSpheres) {
+    for (const double wavelength_nm : {440.0, 487.0, 550.0, 700.0}) {
+        for (const double diameter_nm : {100.0, 250.0, 350.0, 500.0}) {
+            for (const double spread : {0.05, 0.1, 0.3, 0.5}) {
+                const Spheres spheres = rutile(diameter_nm, spread);
+                const Sum sum = brute_force(spheres, 0.1, diameter_nm, wavelength_nm);
+                const ParticleOptics optics =
+                    particle_optics(spheres, 0.1, 1.5, std::vector{wavelength_nm});
+                const auto where =
+                    fmt::format("{} nm, {} nm, {}", wavelength_nm, diameter_nm, spread);
+                EXPECT_NEAR(optics.scattering_per_um[0] / sum.scattering, 1, kParticleError)
+                    << where;
+                EXPECT_NEAR(optics.phase.coefficient(1, 0), sum.forward, kParticleError) << where;
+            }
+        }
     }
 }
 
