@@ -86,20 +86,35 @@ MieEfficiencies MieSeries::efficiencies() const {
     return {scale * extinction, scale * scattering, 2 * turned / scattering};
 }
 
-double MieSeries::intensity(double cosine) const {
-    Complex s_1 = 0, s_2 = 0;
-    double pi = 1, pi_before = 0;
+std::vector<double> MieSeries::intensities(std::span<const double> cosines) const {
+    // By cosine: the angular functions pi_n and pi_(n-1), and the amplitudes S_1 and S_2.
+    struct Amplitudes {
+        std::vector<double> real, imaginary;
+    };
+    const std::size_t count = cosines.size();
+    std::vector<double> pi(count, 1.0), pi_before(count, 0.0);
+    Amplitudes s_1{std::vector<double>(count), std::vector<double>(count)}, s_2 = s_1;
     for (int i = 0; i < terms(); ++i) {
-        const double n = i + 1;
-        const double tau = n * cosine * pi - (n + 1) * pi_before;
-        const double weight = (2 * n + 1) / (n * (n + 1));
-        s_1 += weight * (electric_[i] * pi + magnetic_[i] * tau);
-        s_2 += weight * (electric_[i] * tau + magnetic_[i] * pi);
-        const double next = ((2 * n + 1) * cosine * pi - (n + 1) * pi_before) / n;
-        pi_before = pi;
-        pi = next;
+        const double n = i + 1, weight = (2 * n + 1) / (n * (n + 1)), reciprocal = 1 / n;
+        const Complex a = weight * electric_[i], b = weight * magnetic_[i];
+        for (std::size_t k = 0; k < count; ++k) {
+            const double tau = n * cosines[k] * pi[k] - (n + 1) * pi_before[k];
+            s_1.real[k] += a.real() * pi[k] + b.real() * tau;
+            s_1.imaginary[k] += a.imag() * pi[k] + b.imag() * tau;
+            s_2.real[k] += a.real() * tau + b.real() * pi[k];
+            s_2.imaginary[k] += a.imag() * tau + b.imag() * pi[k];
+            const double next =
+                ((2 * n + 1) * cosines[k] * pi[k] - (n + 1) * pi_before[k]) * reciprocal;
+            pi_before[k] = pi[k];
+            pi[k] = next;
+        }
     }
-    return 0.5 * (std::norm(s_1) + std::norm(s_2));
+    std::vector<double> intensity(count);
+    for (std::size_t k = 0; k < count; ++k) {
+        intensity[k] = 0.5 * (s_1.real[k] * s_1.real[k] + s_1.imaginary[k] * s_1.imaginary[k] +
+                              s_2.real[k] * s_2.real[k] + s_2.imaginary[k] * s_2.imaginary[k]);
+    }
+    return intensity;
 }
 
 }  // namespace nacre::optics

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "nacre/optics/material.h"
@@ -47,7 +48,9 @@ class MieSeries {
     /// power scattered per sr over the irradiance is this over the wave number squared. Over the
     /// sphere it integrates to pi x^2 times the scattering efficiency; it is a polynomial of degree
     /// 2 terms() in the cosine.                   [bohren-huffman-1983, eq. 4.74 and 4.77]
-    double intensity(double cosine) const;
+    double intensity(double cosine) const { return intensities(std::span(&cosine, 1))[0]; }
+    /// The same for many cosines, which are the lanes.
+    std::vector<double> intensities(std::span<const double> cosines) const;
 
  private:
     double size_parameter_;

@@ -84,6 +84,10 @@ AtWavelength at_wavelength(const Spheres& spheres, double volume_fraction, doubl
     const int nodes = (crowded ? 3 : 2) * terms + (crowded ? 32 : 1);
     const Quadrature rule = gauss_legendre(nodes, -1, 1);
     std::vector<double> turned(nodes, 0.0);  // sigma_s p, in 1/nm
+    std::vector<double> q;
+    for (const double mu : rule.nodes) {
+        q.push_back(2 * wave_number * std::sqrt(std::max(0.0, (1 - mu) / 2)));
+    }
     double absorption = 0;
     for (std::size_t i = 0; i < series.size(); ++i) {
         const double d = sizes.diameter_nm[i];
@@ -94,14 +98,10 @@ AtWavelength at_wavelength(const Spheres& spheres, double volume_fraction, doubl
             absorption += number * std::numbers::pi * d * d / 4 *
                           std::max(0.0, series[i].efficiencies().absorption());
         }
+        const std::vector<double> intensity = series[i].intensities(rule.nodes);
         for (int k = 0; k < nodes; ++k) {
-            const double mu = rule.nodes[k];
-            double intensity = series[i].intensity(mu);
-            if (crowded) {
-                const double q = 2 * wave_number * std::sqrt(std::max(0.0, (1 - mu) / 2));
-                intensity *= percus_yevick(q * d, volume_fraction);
-            }
-            turned[k] += number * intensity / (wave_number * wave_number);
+            const double neighbours = crowded ? percus_yevick(q[k] * d, volume_fraction) : 1;
+            turned[k] += number * intensity[k] * neighbours / (wave_number * wave_number);
         }
     }
     AtWavelength out;

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "nacre/core/error.h"
 #include "nacre/core/quadrature.h"
@@ -164,12 +166,14 @@ TEST(Particles, AveragesOverTheirSizes) {
     }
 }
 
-// Without absorption resonances are as narrow as they can be; towards the blue spheres are the largest.
+// Without absorption resonances are as narrow as they can be; at 400 nm rutile has the highest index.
 TEST(Particles, AveragesOverTheResonancesOfClearSpheres) {
-    for (const double wavelength_nm : {440.0, 487.0, 550.0, 700.0}) {
+    for (const auto& [wavelength_nm, index] :
+         {std::pair{400.0, 3.13}, {440.0, 2.96}, {487.0, 2.84}, {550.0, 2.75}, {700.0, 2.64}}) {
         for (const double diameter_nm : {100.0, 250.0, 350.0, 500.0}) {
             for (const double spread : {0.05, 0.1, 0.3, 0.5}) {
-                const Spheres spheres = rutile(diameter_nm, spread);
+                Spheres spheres = rutile(diameter_nm, spread);
+                spheres.material = Material(index);
                 const Sum sum = brute_force(spheres, 0.1, diameter_nm, wavelength_nm);
                 const ParticleOptics optics =
                     particle_optics(spheres, 0.1, 1.5, std::vector{wavelength_nm});

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "nacre/core/error.h"
-#include "nacre/core/quadrature.h"
 
 namespace nacre::optics {
 
@@ -12,7 +11,7 @@ double percus_yevick(double q_diameter, double volume_fraction) {
     require_in_range(q_diameter, 0, std::numeric_limits<double>::max(), "q_diameter");
     require_in_range(volume_fraction, 0, 0.5, "volume_fraction");
     const double v = volume_fraction, x = q_diameter;
-    const double thin = std::pow(1 - v, 4);
+    const double thin = (1 - v) * (1 - v) * (1 - v) * (1 - v);
     const double alpha = (1 + 2 * v) * (1 + 2 * v) / thin;
     const double beta = -6 * v * (1 + v / 2) * (1 + v / 2) / thin;
     const double gamma = v * alpha / 2;
@@ -20,12 +19,14 @@ double percus_yevick(double q_diameter, double volume_fraction) {
     // its transform times the density is -24 v g.
     double g = 0;
     if (x < 2) {
-        // The closed form would lose its digits.
-        const Quadrature& rule = unit_gauss_legendre(12);
-        for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-            const double s = rule.nodes[i], t = x * s;
-            const double sinc = t > 1e-4 ? std::sin(t) / t : 1 - t * t / 6;
-            g += rule.weights[i] * s * s * (alpha + s * (beta + gamma * s * s)) * sinc;
+        // The closed form would lose its digits: sin(x s)/(x s) by its series, whose next term is below
+        // 1e-17.
+        constexpr int kTerms = 13;
+        double term = 1;  // (-x^2)^j / (2 j + 1)!
+        for (int j = 0; j < kTerms; ++j) {
+            const double m = 2 * j;
+            g += term * (alpha / (m + 3) + beta / (m + 4) + gamma / (m + 6));
+            term *= -x * x / ((m + 2) * (m + 3));
         }
     } else {
         const double x2 = x * x, sine = std::sin(x), cosine = std::cos(x);
