@@ -16,6 +16,10 @@ NODES = 10
 """Of the quadrature over depth, densest at the top: relative error below 2e-3."""
 
 
+MAX_GAIN = 40
+"""Of what is exponentiated: kMaxGain of hot_spot.h."""
+
+
 def overlap_integral(x: Float) -> Float:
     """Int_0^x O(t) dt, O the overlap of two discs; 4 / (3 pi) from x = 1 on."""
     x = dr.minimum(x, 1)
@@ -80,7 +84,8 @@ class HotSpot(MeanFlakes):
         total: Wide = self.smooth.bands.constant(0)
         for node, weight in zip(self.nodes, self.weights, strict=True):
             u = reach * node
-            total += weight * dr.exp(self.gain(pair, layer, u, spread, couplings) - depth * u)
+            gain = self.gain(pair, layer, u, spread, couplings)
+            total += weight * dr.exp(dr.minimum(gain - depth * u, MAX_GAIN))
         return total * reach / mean_escape(depth)
 
     def factor(self, pair: Pair, layer: int, flake: int, depth: Wide) -> Wide | Float:
@@ -100,4 +105,4 @@ class HotSpot(MeanFlakes):
         gain = self.gain(
             pair, len(self.thickness) - 1, mi.Float(1), self.spread(pair), self.couplings(pair)
         )
-        return closing * dr.maximum(value - once, 0) + dr.exp(gain) * once
+        return closing * dr.maximum(value - once, 0) + dr.exp(dr.minimum(gain, MAX_GAIN)) * once

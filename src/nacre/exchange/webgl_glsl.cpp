@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "nacre/bsdf/models/hot_spot.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/exchange/webgl_layout.h"
 
@@ -90,7 +91,8 @@ void add_layer(const WebglShader::Layout& layout, std::size_t n, std::size_t& fl
         lines.add("for (int k = 0; k < NACRE_NODES; ++k) {{");
         lines.add("    float u = reach * NACRE_NODE[k].x, weight = reach * NACRE_NODE[k].y;");
         const std::string gain = webgl_gain(layout, n, "u", "    ", lines);
-        lines.add_for_groups(fmt::format("    escape[@] += weight * exp({} - here[@] * u);", gain));
+        lines.add_for_groups(fmt::format(
+            "    escape[@] += weight * exp(min({} - here[@] * u, {:.1f}));", gain, bsdf::kMaxGain));
         lines.add("}}");
     }
     lines.add_for_groups(fmt::format(
@@ -111,10 +113,10 @@ std::string layers_text(const WebglShader::Layout& layout) {
         return std::move(lines).text();
     }
     const std::string gain = webgl_gain(layout, layout.layers.size() - 1, "1.", "", lines);
-    lines.add_for_groups(
-        fmt::format("closing = nacreBoth({}, @, p); rest += nacreRgb(closing, @); "
-                    "ground += nacreRgb((exp({}) - closing) * nacreBoth({}, @, p), @);",
-                    *layout.closing, gain, *layout.ground));
+    lines.add_for_groups(fmt::format(
+        "closing = nacreBoth({}, @, p); rest += nacreRgb(closing, @); "
+        "ground += nacreRgb((exp(min({}, {:.1f})) - closing) * nacreBoth({}, @, p), @);",
+        *layout.closing, gain, bsdf::kMaxGain, *layout.ground));
     return std::move(lines).text();
 }
 

@@ -26,6 +26,8 @@ double fresnel(double cosine, double ior) {
     return 0.5 * (s * s + p * p);
 }
 
+double bounded_exp(double gain) { return std::exp(std::min<double>(gain, bsdf::kMaxGain)); }
+
 /// What two directions together determine: NacrePair.
 struct Pair {
     Vec3d wi, wo, i, o;
@@ -149,7 +151,7 @@ class Mean {
             const double u = reach * node.place;
             const BandSums more = gain(pair, layer, u);
             for (int b = 0; b < kWebglBands; ++b) {
-                out[b] += reach * node.weight * std::exp(more[b] - depth[b] * u);
+                out[b] += reach * node.weight * bounded_exp(more[b] - depth[b] * u);
             }
         }
         return out;
@@ -203,7 +205,7 @@ class Mean {
     Vec3d ground(const Pair& pair, const BandSums& closing) const {
         BandSums light = both(*layout_.ground, pair);
         const BandSums more = gain(pair, layout_.layers.size() - 1, 1);
-        for (int b = 0; b < kWebglBands; ++b) light[b] *= std::exp(more[b]) - closing[b];
+        for (int b = 0; b < kWebglBands; ++b) light[b] *= bounded_exp(more[b]) - closing[b];
         return rgb(light);
     }
 

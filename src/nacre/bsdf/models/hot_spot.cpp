@@ -218,7 +218,8 @@ FloatLanes HotSpot::Pair::mean(std::size_t layer, const FloatLanes& depth) const
     });
     FloatLanes sum{};
     for (std::size_t n = 0; n < count; ++n) {
-        sum += static_cast<float>(2 * rule.nodes[n] * rule.weights[n]) * exp_lanes(exponent[n]);
+        sum += static_cast<float>(2 * rule.nodes[n] * rule.weights[n]) *
+               exp_lanes(min_lanes(exponent[n], splat(kMaxGain)));
     }
     mean_layer_ = layer;
     mean_depth_ = depth;
@@ -232,7 +233,7 @@ FloatLanes HotSpot::Pair::ground() const {
 }
 
 FloatLanes HotSpot::Pair::ground_gain() const {
-    return exp_lanes(gain(hot_spot_->thickness_um_.size() - 1, 1));
+    return exp_lanes(min_lanes(gain(hot_spot_->thickness_um_.size() - 1, 1), splat(kMaxGain)));
 }
 
 FloatLanes HotSpot::Pair::closing() const {

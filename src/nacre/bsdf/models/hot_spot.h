@@ -74,6 +74,10 @@ class HotSpotTables {
 /// Int_0^x O(t) dt; 4 / (3 pi) for x >= 1.
 double disc_overlap_integral(double x);
 
+/// Bound of what is exponentiated, as single precision ends at exp(88). The gain, ln of the attenuation
+/// over exp(-kappa z), is at most half of kappa z: beyond this bound less than exp(-40) of light is left.
+inline constexpr float kMaxGain = 40;
+
 class HotSpot {
  public:
     HotSpot(const HotSpotTables& tables, const std::array<WavelengthPosition, kLanes>& where);

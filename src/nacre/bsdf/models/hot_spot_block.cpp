@@ -32,6 +32,14 @@ double slope_of_total_reflection(const Vec3f& i, double cosine, double sine, dou
     return std::tan(0.5 * (beta + std::acos(std::min(1.0, least_z / rho))));
 }
 
+bool scatters(const solver::LayerMedium& layer) {
+    return !layer.flakes.empty() ||
+           std::ranges::any_of(layer.pigments, [](const solver::PigmentMedium& pigment) {
+               return std::ranges::any_of(pigment.scattering_per_um,
+                                          [](double sigma) { return sigma > 0; });
+           });
+}
+
 }  // namespace
 
 HotSpotBlock::HotSpotBlock(const solver::SolvedPaint& paint, const HotSpotTables& tables, int block)
@@ -42,14 +50,18 @@ HotSpotBlock::HotSpotBlock(const solver::SolvedPaint& paint, const HotSpotTables
       coat_(tables.coat()),
       mean_ior_(mean_ior(medium_)),
       ior_(lanes(medium_.ior)),
-      clearcoat_depth_(lanes(medium_.clearcoat_depth)),
-      ground_reflectance_(lanes(medium_.substrate_reflectance)) {
+      ground_reflectance_(lanes(medium_.substrate_reflectance)),
+      cover_depth_(lanes(medium_.clearcoat_depth)) {
     const int count = medium_.wavelength_count();
     for (const std::vector<float>& from : tables.extinction()) {
         auto& to = extinction_.emplace_back();
         for (int row = 0; row <= kDirectionIntervals; ++row) {
             to.push_back(at_wavelengths(where_, [&](int w) { return from[row * count + w]; }));
         }
+    }
+    for (; first_ < medium_.layers.size() && !scatters(medium_.layers[first_]); ++first_) {
+        cover_depth_ +=
+            static_cast<float>(medium_.layers[first_].thickness_um) * extinction_[first_][0];
     }
 }
 
@@ -62,12 +74,12 @@ Ray HotSpotBlock::ray(double theta, double phi) const {
 }
 
 FloatLanes HotSpotBlock::clear_transmittance(const Ray& ray) const {
-    return exp_lanes(-clearcoat_depth_ / ray.inside.z);
+    return exp_lanes(-cover_depth_ / ray.inside.z);
 }
 
 FloatLanes HotSpotBlock::transmittance_of_layers(const Ray& ray) const {
-    FloatLanes depth = clearcoat_depth_;
-    for (std::size_t l = 0; l < medium_.layers.size(); ++l) {
+    FloatLanes depth = cover_depth_;
+    for (std::size_t l = first_; l < medium_.layers.size(); ++l) {
         depth += static_cast<float>(medium_.layers[l].thickness_um) * ray.look_up(extinction_[l]);
     }
     return exp_lanes(-depth / ray.inside.z);
@@ -95,8 +107,8 @@ std::vector<HotSpotBlock::Exit> HotSpotBlock::exits(const Quadrature& polar) con
                                                     std::cos(polar.nodes[n]) * 2 *
                                                     std::numbers::pi * azimuths.weights[a]);
             out.push_back({o, solid_angle,
-                           // The clearcoat on the way out is in lost().
-                           exp_lanes(clearcoat_depth_ / o.inside.z) * solid_angle * lost(o)});
+                           // The cover on the way out is in lost().
+                           exp_lanes(cover_depth_ / o.inside.z) * solid_angle * lost(o)});
         }
     }
     return out;
@@ -112,8 +124,8 @@ HotSpotBlock::Budget HotSpotBlock::budget(const Ray& i, std::span<const Exit> ex
 
 FloatLanes HotSpotBlock::scattered_once(const Ray& i) const {
     FloatLanes sum{};
-    FloatLanes depth = clearcoat_depth_ / i.inside.z;
-    for (std::size_t l = 0; l < medium_.layers.size(); ++l) {
+    FloatLanes depth = cover_depth_ / i.inside.z;
+    for (std::size_t l = first_; l < medium_.layers.size(); ++l) {
         const solver::LayerMedium& layer = medium_.layers[l];
         const FloatLanes extinction = i.look_up(extinction_[l]);
         const FloatLanes here = max_lanes(
@@ -131,17 +143,16 @@ FloatLanes HotSpotBlock::single_gain(const Ray& i, const Ray& o, double phi,
                                      const HotSpot::Pair& both) const {
     constexpr float kDark = 1e-30f;
     const double spread2 = coat_.spread2(i.inside.z, o.inside.z);
+    const auto depth_of = [&](std::size_t l) {
+        return max_lanes(static_cast<float>(medium_.layers[l].thickness_um) * rate(l, i, o),
+                         splat(1e-20f));
+    };
     // Of one layer what it scatters cancels.
-    if (medium_.layers.size() == 1) {
-        return both.mean(
-            0, max_lanes(static_cast<float>(medium_.layers[0].thickness_um) * rate(0, i, o),
-                         splat(1e-20f)));
-    }
+    if (medium_.layers.size() == first_ + 1) return both.mean(first_, depth_of(first_));
     FloatLanes plain{}, hot{}, depth{};
-    for (std::size_t l = 0; l < medium_.layers.size(); ++l) {
+    for (std::size_t l = first_; l < medium_.layers.size(); ++l) {
         const solver::LayerMedium& layer = medium_.layers[l];
-        const FloatLanes here =
-            max_lanes(static_cast<float>(layer.thickness_um) * rate(l, i, o), splat(1e-20f));
+        const FloatLanes here = depth_of(l);
         const FloatLanes once =
             to_float(solver::backscattering(layer, i.inside.z, o.inside.z, phi, block_, spread2)) *
             exp_lanes(-depth) * one_minus_exp_lanes(here) / here *
@@ -205,7 +216,7 @@ void HotSpotBlock::add_others(const Ray& i, std::span<const Exit> exits, Budget&
     for (const Exit& exit : exits) {
         const Ray& o = exit.ray;
         const float projection = 1 / (i.inside.z * o.inside.z);
-        for (std::size_t l = 0; l < medium_.layers.size(); ++l) {
+        for (std::size_t l = first_; l < medium_.layers.size(); ++l) {
             FloatLanes kernel{};
             for (const solver::PigmentMedium& pigment : medium_.layers[l].pigments) {
                 // Directions point away from the surface, on both ways.
@@ -225,8 +236,8 @@ void HotSpotBlock::add_others(const Ray& i, std::span<const Exit> exits, Budget&
 // Light that one kind of particles in a layer turns from i to o, per length.
 void HotSpotBlock::add_once(std::size_t layer, const Ray& i, const Ray& o, const FloatLanes& per_um,
                             Budget& sum) const {
-    FloatLanes depth = clearcoat_depth_ / i.inside.z;
-    for (std::size_t l = 0; l < layer; ++l) {
+    FloatLanes depth = cover_depth_ / i.inside.z;
+    for (std::size_t l = first_; l < layer; ++l) {
         depth += static_cast<float>(medium_.layers[l].thickness_um) * rate(l, i, o);
     }
     const float thickness_um = static_cast<float>(medium_.layers[layer].thickness_um);

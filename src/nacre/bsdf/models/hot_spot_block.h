@@ -14,8 +14,8 @@
 namespace nacre::bsdf {
 
 /// Of light on its way from the layers to the interface, what is not there to be scattered again:
-/// all but what the interface sends back through the clearcoat.
-/// @param clear, transmittance  of the clearcoat and of the interface
+/// all but what the interface sends back through the cover.
+/// @param clear, transmittance  of the cover and of the interface
 template <class T>
 T lost_at_interface(const T& clear, const T& transmittance) {
     return 1 - clear * clear * (1 - transmittance);
@@ -35,7 +35,7 @@ class HotSpotBlock {
         return 1.0f - optics::dielectric_reflectance(splat(1.0f), ior_, splat(ray.outside.z));
     }
     FloatLanes inverse_ior2() const { return 1.0f / (ior_ * ior_); }
-    /// Of the clearcoat, along a ray.
+    /// Of the cover, along a ray: of the clearcoat and of the layers below it that only absorb.
     FloatLanes clear_transmittance(const Ray& ray) const;
 
     /// Of all layers and the clearcoat.
@@ -82,8 +82,10 @@ class HotSpotBlock {
     HotSpot hot_spot_;
     sparkle::CoatTilt coat_;
     float mean_ior_;
-    FloatLanes ior_, clearcoat_depth_, ground_reflectance_;
+    FloatLanes ior_, ground_reflectance_;
     std::vector<std::vector<FloatLanes>> extinction_;  // by layer and direction
+    std::size_t first_ = 0;   // layer that scatters; those above it are of the cover
+    FloatLanes cover_depth_;  // along the normal
 };
 
 }  // namespace nacre::bsdf

@@ -209,6 +209,49 @@ TEST(HotSpotClosing, NoPaintReturnsMoreLightThanItGets) {
     }
 }
 
+// Below 150 flakes nothing is seen, and the gain of what lies there is beyond single precision.
+TEST(HotSpotClosing, WhatLiesBelowDeepFlakesIsNotSeen) {
+    for (const double roughness : {0.0, 0.2}) {
+        paint::Recipe alone = paint_of({metal_flake(20, 0.9)});
+        alone.layers[0].flakes[0].amount = paint::AreaDensity{10.0};
+        if (roughness > 0) alone.clearcoat = paint::Clearcoat{10, 0.0, roughness};
+        paint::Recipe above = alone;
+        above.layers.push_back(paint::Layer{30, {}, {{paint::PigmentCoefficients{100, 1, 0}}}});
+        above.substrate_reflectance = 0.5;
+        const SparklingModel one(alone, {.specimen = 1}), two(above, {.specimen = 1});
+        for (const double theta_i : {5.0, 45.0, 80.0}) {
+            for (const double theta_o : {0.0, 44.0, 75.0}) {
+                for (const double phi : {0.0, 40.0, 180.0}) {
+                    const Vec3f wi = direction(theta_i, 0), wo = direction(theta_o, phi);
+                    const float expected = one.bound->eval(wi, wo)[3];
+                    EXPECT_NEAR(two.bound->eval(wi, wo)[3], expected, 2e-3f * expected)
+                        << roughness << ' ' << theta_i << ' ' << theta_o << ' ' << phi;
+                }
+            }
+        }
+    }
+}
+
+TEST(HotSpotClosing, ADyeOverTheFlakesDimsAsTheClearcoatDoes) {
+    for (const double roughness : {0.0, 0.2}) {
+        paint::Recipe in_coat = paint_of({metal_flake(20, 0.9)});
+        in_coat.clearcoat = paint::Clearcoat{30, 20.0, roughness};
+        paint::Recipe in_layer = in_coat;
+        in_layer.clearcoat = paint::Clearcoat{30, 0.0, roughness};
+        in_layer.layers.insert(in_layer.layers.begin(),
+                               paint::Layer{30, {}, {{paint::PigmentCoefficients{0, 20, 0}}}});
+        const SparklingModel coat(in_coat, {.specimen = 1}), layer(in_layer, {.specimen = 1});
+        for (const double theta_o : {0.0, 30.0, 60.0}) {
+            for (const double phi : {0.0, 180.0}) {
+                const Vec3f wi = direction(45, 0), wo = direction(theta_o, phi);
+                const float expected = coat.bound->eval(wi, wo)[3];
+                EXPECT_NEAR(layer.bound->eval(wi, wo)[3], expected, 2e-3f * expected)
+                    << roughness << ' ' << theta_o << ' ' << phi;
+            }
+        }
+    }
+}
+
 TEST(HotSpotClosing, SmallFlakesLeaveTheEquationOfTransferAsItIs) {
     paint::Recipe recipe = recipe_with_every_feature();
     for (paint::Layer& layer : recipe.layers) {
