@@ -103,6 +103,19 @@ ThicknessRange thickness_range(double mean_nm, const ThicknessSpread& spread) {
     return {std::max(0.0, mean_nm - half), mean_nm + half};
 }
 
+double mean_thickness_nm(double mean_nm, const ThicknessSpread& spread) {
+    const auto [lo, hi] = thickness_range(mean_nm, spread);
+    if (lo > 0) return mean_nm;
+    if (spread.law == ThicknessSpread::Law::uniform) return 0.5 * (lo + hi);
+    // Of a Gaussian between two deviations from its mean: the difference of its density there over the
+    // difference of its distribution.
+    const double sigma = spread.standard_deviation_nm, a = mean_nm / sigma, b = kNormalCut;
+    const double density = std::exp(-0.5 * a * a) - std::exp(-0.5 * b * b);
+    const double inside =
+        0.5 * (std::erf(a / std::numbers::sqrt2) + std::erf(b / std::numbers::sqrt2));
+    return mean_nm + sigma * density / (std::sqrt(2 * std::numbers::pi) * inside);
+}
+
 double thickness_quantile(double mean_nm, const ThicknessSpread& spread, double fraction) {
     if (spread.standard_deviation_nm == 0) return mean_nm;
     auto [lo, hi] = thickness_range(mean_nm, spread);

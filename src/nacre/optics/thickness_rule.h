@@ -17,6 +17,9 @@ struct ThicknessRange {
 };
 ThicknessRange thickness_range(double mean_nm, const ThicknessSpread& spread);
 
+/// The mean of the law after its cuts: above `mean_nm` where thickness 0 cuts it.
+double mean_thickness_nm(double mean_nm, const ThicknessSpread& spread);
+
 /// The thickness below which this fraction of the law lies, to 1e-12 of its range; the mean where
 /// nothing varies.
 /// @param fraction  in [0, 1]

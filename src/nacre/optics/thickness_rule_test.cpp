@@ -55,6 +55,18 @@ TEST(ThicknessRule, NormalLawIsCutAtZeroAndRenormalised) {
     EXPECT_EQ(thickness_range(50, {100, Law::uniform}).lo_nm, 0);
 }
 
+TEST(ThicknessRule, ItsMeanIsThatOfTheCutLaw) {
+    for (const Law law : {Law::normal, Law::uniform}) {
+        for (const double deviation : {0.0, 20.0, 34.0, 60.0, 100.0, 300.0}) {
+            const ThicknessSpread spread{deviation, law};
+            EXPECT_NEAR(mean_thickness_nm(100, spread),
+                        moments(thickness_rule(100, spread, 24)).mean, 1e-9)
+                << deviation;
+        }
+    }
+    EXPECT_EQ(mean_thickness_nm(100, {30, Law::normal}), 100);
+}
+
 TEST(ThicknessRule, NodesStayInsideAndWeightsArePositive) {
     for (const Law law : {Law::normal, Law::uniform}) {
         const auto rule = thickness_rule(40, {30, law}, 24);

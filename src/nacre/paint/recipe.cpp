@@ -9,6 +9,7 @@
 
 #include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/optics/thickness_rule.h"
 #include "nacre/paint/orientation.h"
 #include "nacre/paint/recipe_description.h"
 
@@ -229,10 +230,13 @@ double FlakeSpecies::thickness_um() const {
         return prescribed->thickness_um;
     }
     const auto& platelet = std::get<optics::Platelet>(body);
-    double thickness_nm = platelet.core.thickness_nm;
+    const auto mean_of = [](const optics::FilmPopulation& film) {
+        return optics::mean_thickness_nm(film.thickness_nm, film.spread);
+    };
+    double thickness_nm = mean_of(platelet.core);
     const int sides = platelet.coated_sides == optics::Platelet::CoatedSides::both ? 2 : 1;
     for (const optics::FilmPopulation& coat : platelet.coats) {
-        thickness_nm += sides * coat.thickness_nm;
+        thickness_nm += sides * mean_of(coat);
     }
     return thickness_nm / kNmPerUm;
 }

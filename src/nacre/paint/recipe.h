@@ -83,7 +83,7 @@ struct FlakeSpecies {
     /// The diameters of a part of a species, in place of all above. Only expanded() sets it.
     std::optional<FlakeSizes> part = {};
 
-    /// Thickness of the platelet, core and coats, in um.
+    /// Mean thickness of the platelet, core and coats, in um.
     double thickness_um() const;
     /// Of a species that expanded() returned, or that it leaves as it is.
     FlakeSizes sizes() const;

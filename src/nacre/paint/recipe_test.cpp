@@ -45,6 +45,16 @@ TEST(FlakeSpecies, ThicknessIsCorePlusBothSidesOfEachCoat) {
     EXPECT_DOUBLE_EQ(mica_coated_with_titania().thickness_um(), 0.660);
 }
 
+// A uniform law of 100 nm and a deviation of 100 nm is cut at zero: it reaches up to 273 nm.
+TEST(FlakeSpecies, ThicknessIsTheMeanOfWhatZeroLeavesOfALaw) {
+    FlakeSpecies species = mica_coated_with_titania();
+    optics::Platelet platelet;
+    platelet.core = {
+        optics::find_material("Al"), 100, {100, optics::ThicknessSpread::Law::uniform}};
+    species.body = platelet;
+    EXPECT_NEAR(species.thickness_um(), 0.5e-3 * (100 + 100 * std::sqrt(3)), 1e-12);
+}
+
 TEST(FlakeSpecies, AreaDensityIsVolumeFractionOverThickness) {
     EXPECT_DOUBLE_EQ(mica_coated_with_titania().area_density_per_um(), 0.0396 / 0.660);
     FlakeSpecies species = mica_coated_with_titania();
