@@ -11,7 +11,7 @@ namespace nacre::studio {
 
 namespace {
 
-/// Samples a pixel after each picture that is sent: 1, 4, 16, ... and the last.
+/// Each picture that is sent has so many times as many samples as the one before, but for the last.
 constexpr int kGrowth = 4;
 
 std::string bytes_of(const std::vector<float>& rgb, bool linear) {
@@ -66,7 +66,7 @@ Frames answer(const RenderRequest& request, const Context& context) {
     // Each share has one sample a pixel; the sum of all is the picture of `nacre render`, bit for
     // bit.
     render::RenderSums sums(settings);
-    int next = 1;
+    int next = render::samples_between_asking(request.samples);
     for (int sample = 1; sample <= request.samples; ++sample) {
         sums.add(scene.render_share(settings, {sample, request.samples}, context.progress).sums);
         if (sample != next && sample != request.samples) continue;

@@ -214,5 +214,26 @@ TEST(SparkleInPictures, DependsOnTheSpecimenAndNotOnTheSeed) {
     EXPECT_LT(other.shared, 0.5 * same.shared);
 }
 
+// A quarter of 64 samples ask flakes, with four times the weight.
+TEST(SparkleInPictures, FirstSamplesAreAsBrightAsAll) {
+    const render::PaintTable paints{
+        {"paint", testing::nacre_surface(testing::recipe_of({.diameter_um = 20}), 1)}};
+    const render::Scene scene(panel({.name = "sky", .sky = true}, 1), paints);
+    const render::RenderOptions options{
+        .width = kPixels, .height = kPixels, .samples_per_pixel = 64, .max_depth = 1};
+    const auto mean_of = [&](const render::RenderSums& sums) {
+        const std::vector<float> rgb = render::develop(sums, options).rgb;
+        double sum = 0;
+        for (const float value : rgb) sum += value / static_cast<double>(rgb.size());
+        return sum;
+    };
+    const int first = render::samples_between_asking(options.samples_per_pixel);
+    EXPECT_EQ(first, 4);
+    const double all = mean_of(render::render_share(scene, options, {1, 1}));
+    EXPECT_NEAR(mean_of(render::render_share(scene, options, {1, 64 / first})), all, 0.02 * all);
+    // The very first sample alone asks flakes in all pixels.
+    EXPECT_GT(mean_of(render::render_share(scene, options, {1, 64})), 1.05 * all);
+}
+
 }  // namespace
 }  // namespace nacre::models

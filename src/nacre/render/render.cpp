@@ -89,10 +89,14 @@ class AskedParts {
     /// How many samples ask: the first ones.
     std::size_t count() const { return columns_.size() * rows_.size(); }
 
+    int stride_of(int samples_per_pixel) const {
+        return samples_per_pixel / static_cast<int>(count());
+    }
+
     /// The sample that a pass takes: those that ask evenly between the others, so that a picture
     /// that is stopped has about as much of the flakes' light as of the rest.
     std::uint32_t sample_of_pass(int pass, int samples_per_pixel) const {
-        const int asking = static_cast<int>(count()), stride = samples_per_pixel / asking;
+        const int asking = static_cast<int>(count()), stride = stride_of(samples_per_pixel);
         const int before = std::min(asking, (pass + stride - 1) / stride);  // that ask
         const bool asks = pass % stride == 0 && pass / stride < asking;
         return static_cast<std::uint32_t>(asks ? before : asking + pass - before);
@@ -397,6 +401,10 @@ RenderResult develop(RenderSums whole, const RenderOptions& options) {
     }
     result.seconds = whole.seconds;
     return result;
+}
+
+int samples_between_asking(int samples_per_pixel) {
+    return AskedParts(samples_per_pixel).stride_of(samples_per_pixel);
 }
 
 int samples_of(const RenderOptions& options, const Share& share) {

@@ -111,6 +111,10 @@ void check(const RenderOptions& options, const Share& share);
 RenderResult render(const Scene& scene, const RenderOptions& options,
                     const Progress& progress = {});
 
+/// Of a multiple of so many samples, as they are rendered one after the other, as large a fraction asks
+/// flakes (AskedPart) as of all: with fewer, a picture has up to so many times their light.
+int samples_between_asking(int samples_per_pixel);
+
 /// How many samples a pixel has of a share.
 int samples_of(const RenderOptions& options, const Share& share);
 
