@@ -56,9 +56,9 @@ struct ParticleOptics {
 /// field in which a particle stands (rutile scatters less than this for it, by up to 20 % for pairs
 /// that touch [thiele-french-1998]); other pigments, and flakes, as neighbours.
 ///
-/// Relative error of the sums over sizes: kParticleError for clear pigments of an index of up to 3, a
-/// median by volume of up to 0.5 um and a spread of up to 0.5. Larger clear spheres resonate more
-/// sharply than the sums resolve: rutile of 1 um is off by up to 1 %.
+/// Relative error of the sums over sizes: kParticleError for clear pigments of up to twice the binder's
+/// index, a median by volume of up to 0.5 um and a spread of up to 0.5. Larger clear spheres resonate
+/// more sharply than the sums resolve.
 ///
 /// @param volume_fraction  of all particles in the layer, in kParticleVolumeRange
 /// @throws DomainError naming the argument, its value and its range, or the wavelength that data of
