@@ -70,7 +70,7 @@ Command add_scene(CLI::App& program) {
         "  nacre scene sphere > my.toml\n"
         "  nacre scene car.glb --painted body -o my.toml\n"
         "  nacre render my.toml --paint paints/ruby.toml -o ruby.exr");
-    return {scene, [options] { return files_of(*options, {}); },
+    return {scene, [options] { return files_of(*options, {options->name}); },
             [options] {
                 emit(*options, scene_text(*options));
                 return ExitStatus::ok;
