@@ -155,8 +155,43 @@ std::vector<Output> outputs_in(const OutputFolder& folder) {
 
 }  // namespace
 
+bool is_standard_output(const std::string& name) {
+    const std::string plain = fs::path(name).lexically_normal().string();
+    return name == "-" || plain == "/dev/stdout" || plain == "/dev/fd/1" ||
+           plain == "/proc/self/fd/1" || is_same_file(name, "/dev/stdout");
+}
+
+std::vector<std::string_view> texts_of_setting(std::string_view value) {
+    const std::string_view whole = trimmed(value);
+    constexpr std::string_view kQuotes = "\"'";
+    if (whole.empty() || std::string_view("\"'[{").find(whole[0]) == std::string_view::npos) {
+        return {whole};
+    }
+    std::vector<std::string_view> texts;
+    std::size_t begin = whole.find_first_of(kQuotes);
+    while (begin != std::string_view::npos) {
+        const std::size_t end = whole.find(whole[begin], begin + 1);
+        if (end == std::string_view::npos) break;
+        texts.push_back(whole.substr(begin + 1, end - begin - 1));
+        begin = whole.find_first_of(kQuotes, end + 1);
+    }
+    return texts;
+}
+
 CommandFiles files_of(const CommonOptions& options, std::vector<std::string> inputs,
                       const std::string& format) {
+    const std::size_t arguments = inputs.size();
+    for (const std::string& setting : options.set) {
+        const std::size_t equals = std::min(setting.find('='), setting.size() - 1);
+        for (const std::string_view text :
+             texts_of_setting(std::string_view(setting).substr(equals + 1))) {
+            inputs.emplace_back(text);
+            for (std::size_t i = 0; i < arguments;
+                 ++i) {  // else it is looked for beside the recipe
+                inputs.push_back((fs::path(inputs[i]).parent_path() / text).string());
+            }
+        }
+    }
     return {.inputs = std::move(inputs),
             .files = {{"--output", options.output, false, format}, {"--report", options.report}},
             .untrusted = options.untrusted};

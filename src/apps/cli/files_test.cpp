@@ -65,6 +65,13 @@ TEST_F(Files, AnOutputIsNoInput) {
           "[[shapes]]\ntype = \"mesh\"\npath = \"../mesh.exr\"\nmaterial = \"paint\"\n"
           "[materials.paint]\nrecipe = \"../glass.toml\"\n[environment]\npath = \"../b.exr\"\n");
     write("mesh.exr", "any");
+    write("ground.csv", "wavelength_nm,reflectance\n400,0.2\n700,0.4\n");
+    write("below/beside.csv", "any");
+    write("ball.mtl", "any");
+    write("ball.obj", "mtllib ball.mtl\n");
+    write("corners.bin", corners());
+    write("triangle.gltf", triangle("corners.bin"));
+    fs::create_symlink("ball.obj", folder_ / "ball.toml");
     fs::create_symlink("gray.toml", folder_ / "link.csv");
     fs::create_hard_link(folder_ / "gray.toml", folder_ / "same.csv");
     const std::string walk = " --incident 45 --outgoing 0 --samples 2 ";
@@ -83,6 +90,16 @@ TEST_F(Files, AnOutputIsNoInput) {
           "measure gray.toml --versus glass.toml -o glass.toml",
           "measure gray.toml --versus glass.toml -o glass.csv",
           "measure gray.toml --geometry set.toml -o set.toml",
+          "measure gray.toml --set substrate.reflectance=ground.csv -o ground.csv",
+          "measure gray.toml --set 'substrate.reflectance=\"ground.csv\"' -o ground.csv",
+          "measure gray.toml --set 'clearcoat={ior=\"glass.csv\"}' --report glass.csv",
+          "measure below/scene.toml --set substrate.reflectance=beside.csv -o below/beside.csv",
+          "solve gray.toml --set substrate.reflectance=ground.csv -o x.h5 --report ground.csv",
+          "info gray.toml --set substrate.reflectance=ground.csv -o ground.csv",
+          "scene ball.obj -o ball.obj",
+          "scene ball.obj -o ball.toml",
+          "scene ball.obj -o ball.mtl",
+          "scene triangle.gltf -o corners.bin",
           "diff a.png b.exr -o a.png",
           "diff a.png b.exr -o b.exr",
           "fit gray.toml --start glass.toml -o glass.toml",
