@@ -138,7 +138,9 @@ Command add_diff(CLI::App& program) {
         "Example:\n  nacre diff new.exr approved.exr --max-delta-e-mean 1 -o difference.png");
     return {diff,
             [options] {
-                return files_of(*options, {options->a, options->b});
+                CommandFiles files = files_of(*options, {options->a, options->b});
+                files.prints = true;
+                return files;
             },
             [options] { return run(*options); }};
 }

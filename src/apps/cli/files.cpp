@@ -87,9 +87,21 @@ void check_not_an_input(const Output& output, const std::vector<Input>& inputs) 
 }
 
 void check_not_another(const Output& output, const Output& other) {
-    if (!is_same_file(output.name, other.name)) return;
+    if (!is_same_file(output.name, other.name) &&
+        !(is_standard_output(output.name) && is_standard_output(other.name))) {
+        return;
+    }
     throw UsageError(fmt::format("{} = {}: is the same file as {} = {}", output.option, output.name,
                                  other.option, other.name));
+}
+
+/// Two outputs there would be mixed.
+void check_not_printed_to(const Output& output) {
+    if (!is_standard_output(output.name)) return;
+    throw UsageError(
+        fmt::format("{} = {}: is the standard output, which takes another output of the same "
+                    "command",
+                    output.option, output.name));
 }
 
 /// CSV in a file that is called .xlsx would be opened as what it is not, and the same elsewhere.
@@ -194,7 +206,8 @@ CommandFiles files_of(const CommonOptions& options, std::vector<std::string> inp
     }
     return {.inputs = std::move(inputs),
             .files = {{"--output", options.output, false, format}, {"--report", options.report}},
-            .untrusted = options.untrusted};
+            .untrusted = options.untrusted,
+            .prints = options.output.empty()};
 }
 
 void check_files(const CommandFiles& files) {
@@ -215,6 +228,7 @@ void check_files(const CommandFiles& files) {
         outputs.empty() ? std::vector<Input>() : existing_inputs(files);
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         check_not_an_input(outputs[i], inputs);
+        if (files.prints) check_not_printed_to(outputs[i]);
         for (std::size_t j = 0; j < i; ++j) check_not_another(outputs[i], outputs[j]);
     }
     for (const Output& output : named) check_format(output);

@@ -45,6 +45,7 @@ struct CommandFiles {
     std::vector<Output> files;
     std::vector<OutputFolder> folders = {};
     bool untrusted = false;  ///< inputs name files in their folders only
+    bool prints = false;     ///< data to the standard output, whatever the files are called
 };
 
 /// What a command with --output and --report reads and writes.

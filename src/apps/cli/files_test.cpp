@@ -483,6 +483,43 @@ TEST_F(Files, AnOpenFileIsAppendedTo) {
     EXPECT_THAT(contents(folder_ / "log"), AllOf(HasSubstr("old\ntheta_i"), HasSubstr("\n45,")));
 }
 
+TEST_F(Files, OneOutputGoesToTheStandardOutput) {
+    write("a.png", "any");
+    const std::string fit = "fit gray.toml --start gray.toml --free alpha --starts 1 -q ";
+    for (const std::string& arguments :
+         {fit + "-o -", fit + "-o /dev/stdout", fit + "-o fitted.toml --report /dev/fd/1",
+          std::string("measure gray.toml -q --report -"),
+          std::string("measure gray.toml -q -o - --report /dev/stdout"),
+          std::string("measure gray.toml -q --uncertainty alpha=1% --contributions -"),
+          std::string("diff a.png a.png --report -")}) {
+        for (const char* into : {"> out", ">> out", "| cat > out"}) {
+            const Outcome outcome =
+                shell("rm -f out; { \"$NACRE\" " + arguments + "; echo $? >&2; } " + into);
+            EXPECT_THAT(outcome.err, HasSubstr("\n1\n")) << arguments << into;
+            EXPECT_THAT(outcome.err,
+                        ::testing::AnyOf(HasSubstr("another output of the same command"),
+                                         HasSubstr("is the same file as")))
+                << arguments;
+            EXPECT_THAT(contents(folder_ / "out"), IsEmpty()) << arguments << into;
+        }
+    }
+    // The file to which it is redirected.
+    EXPECT_EQ(shell("\"$NACRE\" " + fit + "-o out.toml > out.toml").status, 1);
+    EXPECT_EQ(shell("\"$NACRE\" measure gray.toml -q -o /dev/null > /dev/null").status, 0);
+}
+
+TEST_F(Files, WhatIsInTheStandardOutputStays) {
+    const std::string table = nacre(kEval).out;
+    for (const char* into : {"> out", ">> out", "1<> out"}) {
+        write("out", "");
+        const Outcome outcome =
+            shell("{ echo first; \"$NACRE\" " + kEval + "-o /dev/stdout; \"$NACRE\" " + kEval +
+                  "; echo last; } " + into);
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        EXPECT_EQ(contents(folder_ / "out"), "first\n" + table + table + "last\n") << into;
+    }
+}
+
 }  // namespace
 
 }  // namespace nacre::cli::testing

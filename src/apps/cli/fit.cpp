@@ -269,6 +269,7 @@ CommandFiles files(const FitOptions& options) {
     if (options.overwrite && options.output.empty()) {
         throw UsageError("--overwrite belongs to --output: it lets that be the start recipe");
     }
+    files.prints = true;
     for (Output& output : files.files) {
         if (output.option != "--output") continue;
         output.may_replace = options.start;
