@@ -150,12 +150,7 @@ ExitStatus compare(const MeasureOptions& options, const Sample& sample, const Sa
     document["standard"] = standard.paint.file();
     document["total_s"] = watch.seconds();
     write_report(options, "measure", document);
-    if (!verdict || verdict->passes()) return ExitStatus::ok;
-    const auto failed = std::ranges::count_if(
-        verdict->angles, [](const measure::AngleVerdict& angle) { return !angle.passes(); });
-    say(options, fmt::format("does not pass: beyond the tolerance ({}) at {} of {} angles",
-                             verdict->tolerance.formula.name(), failed, verdict->angles.size()));
-    return ExitStatus::comparison_failed;
+    return status_of(options, verdict);
 }
 
 ExitStatus run(const MeasureOptions& options) {
