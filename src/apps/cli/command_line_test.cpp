@@ -175,5 +175,26 @@ TEST_F(Program, ShippedPaintsArePlausible) {
     }
 }
 
+TEST_F(Program, OptionsTakeNoEmptyValue) {
+    write("a.png", "any");
+    write("lab.csv", "geometry,L,a,b\n45as15,90,1,2\n");
+    for (const std::string arguments :
+         {"measure gray.toml --tolerance", "measure gray.toml --versus",
+          "measure gray.toml --weights", "measure gray.toml --formula",
+          "measure gray.toml --illuminant", "measure gray.toml --observer",
+          "measure gray.toml --aperture", "measure gray.toml --geometry",
+          "measure gray.toml --wavelength", "measure gray.toml --model",
+          "diff a.png a.png --max-delta-e-mean", "sparkle gray.toml --versus",
+          "fit gray.toml --start gray.toml --also", "fit gray.toml --start gray.toml --noise",
+          "atlas --film mica --illuminant", "atlas --film mica --observer",
+          "render sphere --paint gray.toml -o x.exr --frames"}) {
+        const Outcome outcome = nacre(arguments + " ''");
+        EXPECT_EQ(outcome.status, 1) << arguments << outcome.err;
+        EXPECT_THAT(outcome.err, HasSubstr(arguments.substr(arguments.rfind("--")) + ": "))
+            << arguments;
+        EXPECT_THAT(outcome.out, IsEmpty());
+    }
+}
+
 }  // namespace
 }  // namespace nacre::cli::testing

@@ -242,14 +242,17 @@ void check_files(const CommandFiles& files) {
     for (const Output& output : named) check_format(output);
 }
 
-void check_names(const CLI::App& command) {
+void check_values(const CLI::App& command) {
     for (const CLI::Option* option : command.get_options()) {
         const std::string type = option->get_type_name();
-        if (!type.starts_with("FILE") && type != "DIR" && type != "RECIPE") continue;
-        for (const std::string& name : option->results()) {
-            if (!name.empty()) continue;
-            throw UsageError(fmt::format("{}: the name of a {} is expected", option->get_name(),
-                                         type == "DIR" ? "folder" : "file"));
+        const bool is_folder = type == "DIR" || type == "FOLDER";
+        const bool is_name = is_folder || type.starts_with("FILE") || type == "RECIPE";
+        for (const std::string& value : option->results()) {
+            if (!value.empty()) continue;
+            throw UsageError(fmt::format("{}: {} is expected", option->get_name(),
+                                         is_folder ? "the name of a folder"
+                                         : is_name ? "the name of a file"
+                                                   : "a value"));
         }
     }
 }

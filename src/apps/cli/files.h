@@ -70,6 +70,6 @@ std::vector<std::string_view> texts_of_setting(std::string_view value);
 
 /// Refuses options that were given an empty value: no option means anything by it.
 /// @throws UsageError naming the option
-void check_names(const CLI::App& command);
+void check_values(const CLI::App& command);
 
 }  // namespace nacre::cli
