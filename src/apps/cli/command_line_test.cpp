@@ -196,5 +196,43 @@ TEST_F(Program, OptionsTakeNoEmptyValue) {
     }
 }
 
+TEST_F(Program, NoRangeHoldsNan) {
+    const std::string render = "render sphere --paint gray.toml -o x.exr ";
+    for (const std::string& arguments :
+         {std::string("diff a.png a.png --min-psnr"),
+          std::string("diff a.png a.png --heat-full-scale"), render + "--exposure",
+          render + "--fps", render + "--footprint", std::string("merge a.h5 -o x.exr --exposure"),
+          std::string("sparkle gray.toml --panel"), std::string("sparkle gray.toml --distance")}) {
+        for (const char* nan : {" nan", " -NaN"}) {
+            const Outcome outcome = nacre(arguments + nan);
+            EXPECT_EQ(outcome.status, 1) << arguments << outcome.err;
+            EXPECT_THAT(outcome.err, HasSubstr(arguments.substr(arguments.rfind("--")) + ": "))
+                << arguments;
+        }
+    }
+}
+
+TEST_F(Program, WholeNumbersAreDecimal) {
+    const std::string at = " --incident 45 --outgoing 0 --wavelength 550 -q ";
+    const std::string reference = "reference gray.toml" + at;
+    EXPECT_EQ(nacre(reference + "--samples 0100").out, nacre(reference + "--samples 100").out);
+    EXPECT_EQ(nacre(reference + "--samples 100 --seed 010").out,
+              nacre(reference + "--samples 100 --seed 10").out);
+    EXPECT_EQ(nacre(reference + "--samples 080").status, 0);
+    EXPECT_NE(nacre(reference + "--samples 100 --seed 18446744073709551615").out, "");
+    const std::string eval = "eval gray.toml" + at;
+    EXPECT_EQ(nacre(eval + "--specimen 9007199254740992").status, 0);
+    for (const std::string& arguments :
+         {reference + "--samples 0x64", reference + "--samples 1e2", reference + "--seed -1",
+          reference + "--seed 18446744073709551616", eval + "--specimen -1",
+          eval + "--specimen 9007199254740993", eval + "--specimen 18446744073709551616",
+          std::string("solve gray.toml -o x.h5 --orders 99999999999999999999")}) {
+        const Outcome outcome = nacre(arguments);
+        EXPECT_EQ(outcome.status, 1) << arguments << outcome.err;
+        const std::string option = arguments.substr(arguments.rfind("--"));
+        EXPECT_THAT(outcome.err, HasSubstr(option.substr(0, option.find(' ')) + ": Value "));
+    }
+}
+
 }  // namespace
 }  // namespace nacre::cli::testing

@@ -315,16 +315,16 @@ Command add_fit(CLI::App& program) {
     command
         ->add_option("--equal", options->equal_delta_e,
                      "Mean Delta E 2000 within which compositions count as equal")
-        ->check(CLI::Range(kEqual.lo, kEqual.hi))
+        ->check(in_range(kEqual.lo, kEqual.hi))
         ->capture_default_str();
     command
         ->add_option("--within", options->matched_delta_e,
                      "Mean Delta E 2000 up to which the standard counts as matched; beyond, the "
                      "exit status is 4")
-        ->check(CLI::Range(kEqual.lo, kEqual.hi))
+        ->check(in_range(kEqual.lo, kEqual.hi))
         ->capture_default_str();
     command->add_option("--starts", options->starts, "Descents from different places")
-        ->check(CLI::Range(1, fit::FitOptions::kMaxStarts))
+        ->check(in_range(1, fit::FitOptions::kMaxStarts))
         ->capture_default_str();
     command->add_option("--format", options->format, "text or json, on standard output")
         ->check(CLI::IsMember({"text", "json"}))

@@ -265,7 +265,7 @@ Command add_measure(CLI::App& program) {
                      fmt::format("With --model {}: walks per lamp; standard errors are in columns "
                                  "SE<nm> [262144]",
                                  fmt::join(sampled_models(), ", ")))
-        ->check(CLI::Range(std::uint64_t{2}, std::uint64_t{1'000'000'000'000}));
+        ->check(in_range(std::uint64_t{2}, std::uint64_t{1'000'000'000'000}));
     command->add_option("--versus", options->versus,
                         "Standard to compare with: a recipe or a measured file");
     command->add_option("--weights", options->weights,

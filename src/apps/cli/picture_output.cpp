@@ -25,7 +25,7 @@ void add_tone_map(CLI::App& command, ToneMap& tone_map) {
     command
         .add_option("--exposure", tone_map.exposure_stops,
                     "Exposure of the PNG in stops; the EXR is not touched")
-        ->check(CLI::Range(-50.0, 50.0))
+        ->check(in_range(-50.0, 50.0))
         ->capture_default_str();
     command
         .add_option("--gamut", tone_map.gamut,

@@ -208,7 +208,7 @@ void add_uncertainty_options(CLI::App& command, UncertaintyRequest& request) {
                     "Recipes to draw, in place of first order")
         ->group("Uncertainty")
         ->check(
-            CLI::Range(fit::UncertaintyOptions::kMinSamples, fit::UncertaintyOptions::kMaxSamples));
+            in_range(fit::UncertaintyOptions::kMinSamples, fit::UncertaintyOptions::kMaxSamples));
     command.add_flag("--no-uncertainty", request.none, "Leave out the recipe's [uncertainty]")
         ->group("Uncertainty");
 }
