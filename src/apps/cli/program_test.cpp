@@ -430,6 +430,20 @@ TEST_F(Program, FailuresWhileRunningEndWithThree) {
     EXPECT_EQ(nacre("film -o /dev/full").status, 3);
 }
 
+TEST_F(Program, ScenesNameTheirMeshFromTheirFolder) {
+    write("corners.bin", corners());
+    write("triangle.gltf", triangle("corners.bin"));
+    std::filesystem::create_directories(folder_ / "other" / "folder");
+    for (const std::string scene : {"x.toml", "other/x.toml", "other/folder/x.toml"}) {
+        ASSERT_EQ(nacre("scene triangle.gltf -o " + scene).status, 0);
+        const Outcome picture =
+            nacre("render " + scene + " --paint gray.toml --spp 1 --size 2x2 -q -o x.exr");
+        EXPECT_EQ(picture.status, 0) << picture.err;
+    }
+    EXPECT_THAT(contents(folder_ / "other/folder/x.toml"), HasSubstr("../../triangle.gltf"));
+    EXPECT_THAT(nacre("scene other/../triangle.gltf").out, HasSubstr("other/../triangle.gltf"));
+}
+
 }  // namespace
 
 }  // namespace nacre::cli::testing
