@@ -30,8 +30,14 @@ std::vector<paint::ParameterDeviation> parse_deviations(const std::vector<std::s
                 "--uncertainty = {}: is not KEY=SD, as in 'layer[0].thickness_um=5%'", text));
         }
         try {
-            deviations.push_back(
-                paint::parse_deviation(text.substr(0, equals), text.substr(equals + 1)));
+            paint::ParameterDeviation deviation =
+                paint::parse_deviation(text.substr(0, equals), text.substr(equals + 1));
+            if (std::ranges::find(deviations, deviation.key, &paint::ParameterDeviation::key) !=
+                deviations.end()) {
+                throw UsageError(
+                    fmt::format("--uncertainty = {}: {} appears twice", text, deviation.key));
+            }
+            deviations.push_back(std::move(deviation));
         } catch (const DomainError& error) {
             throw UsageError(fmt::format("--uncertainty: {}", error.what()));
         }
