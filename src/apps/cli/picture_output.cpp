@@ -28,10 +28,11 @@ void add_tone_map(CLI::App& command, ToneMap& tone_map) {
         ->check(in_range(-50.0, 50.0))
         ->capture_default_str();
     command
-        .add_option("--gamut", tone_map.gamut,
-                    "Display of the PNG: rec709 (sRGB), display-p3 or rec2020, which have purer "
-                    "colours [rec709]")
-        ->transform(CLI::CheckedTransformer(kGamuts))
+        .add_option_function<std::string>(
+            "--gamut", [&tone_map](const std::string& name) { tone_map.gamut = kGamuts.at(name); },
+            "Display of the PNG: rec709 (sRGB), display-p3 or rec2020, which have purer "
+            "colours [rec709]")
+        ->check(CLI::IsMember(kGamuts))
         ->type_name("DISPLAY");
 }
 

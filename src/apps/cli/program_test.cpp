@@ -23,6 +23,7 @@ namespace nacre::cli::testing {
 
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -428,6 +429,19 @@ TEST_F(Program, StudyOfFlakesWritesOnePage) {
 
 TEST_F(Program, FailuresWhileRunningEndWithThree) {
     EXPECT_EQ(nacre("film -o /dev/full").status, 3);
+}
+
+TEST_F(Program, PatchesOfAMeanAreRefusedByTheirOptions) {
+    write(
+        "facets.toml",
+        kMicrofacetRecipe +
+            std::string(
+                "[microfacet.facets]\ncount = 1000\ncone_deg = 3.0\nthickness_spread_nm = 10.0\n"));
+    const Outcome outcome = nacre(
+        "eval facets.toml --model special-effect --smooth-ndf --incident 45 --outgoing 0 "
+        "--at 0.5,0.5 --footprint 0.1");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("--at and --footprint"), Not(HasSubstr("--patch"))));
 }
 
 TEST_F(Program, ScenesNameTheirMeshFromTheirFolder) {

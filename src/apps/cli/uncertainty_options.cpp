@@ -250,7 +250,7 @@ std::optional<Uncertainty> uncertainty_of(const CommonOptions& options,
         found = paint.measure_uncertainty(geometries, settings, wanted, bar.callback());
     } catch (const SettingError& error) {
         // Other settings were understood before.
-        const bool own = error.setting() == "correlation";
+        const bool own = error.setting() == "correlation" || error.setting() == "uncertainty";
         throw InputError(
             fmt::format("{}: {}--{}", paint.file(), own ? "" : "--uncertainty: ", error.what()));
     } catch (const DomainError& error) {
