@@ -246,5 +246,28 @@ TEST_F(Program, RangesAreToldAsTheyAre) {
     }
 }
 
+TEST_F(Program, OptionsThatWouldDoNothingAreRefused) {
+    write("lab.csv", "geometry,L,a,b\n45as15,90,1,2\n");
+    const std::string render = "render sphere --paint gray.toml -o x.exr --spp 1 --size 2x2 ";
+    const std::pair<std::string, const char*> cases[] = {
+        {"measure lab.csv --model nacre", "--model = nacre: lab.csv holds measured colours"},
+        {"measure lab.csv --no-hot-spot", "--no-hot-spot: lab.csv holds measured colours"},
+        {"measure lab.csv --table svd", "--table = svd: lab.csv holds measured colours"},
+        {"measure lab.csv --model walk --samples 100", "--model = walk: lab.csv holds measured"},
+        {"measure lab.csv --samples 100", "--samples belongs to --model"},
+        {"fit lab.csv --start gray.toml --free alpha --model walk", "--model = walk: lab.csv is"},
+        {"fit lab.csv --start gray.toml --free alpha --constructions 2",
+         "--constructions belongs to --library"},
+        {render + "--footprint 2 --model microflake", "--footprint: the model microflake shows no"},
+        {render + "--fps 12", "--fps belongs to --video"},
+    };
+    for (const auto& [arguments, complaint] : cases) {
+        const Outcome outcome = nacre(arguments);
+        EXPECT_EQ(outcome.status, 1) << arguments << outcome.err;
+        EXPECT_THAT(outcome.err, HasSubstr(complaint)) << arguments;
+        EXPECT_THAT(outcome.out, IsEmpty()) << arguments;
+    }
+}
+
 }  // namespace
 }  // namespace nacre::cli::testing

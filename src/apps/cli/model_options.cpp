@@ -194,6 +194,24 @@ bool asks_for_table(const ModelOptions& options) {
     });
 }
 
+std::optional<std::string> choice_of_any(const ModelOptions& options) {
+    if (options.model_given) return "--model = " + options.model;
+    for (const Owned& owned : all_options()) {
+        const std::string value = value_of(options, owned);
+        if (value == default_text(owned)) continue;
+        const std::string flag(owned.option->flag);
+        if (value == "on" || value == "off") return value == "on" ? flag : negative(flag);
+        return flag + " = " + value;
+    }
+    for (const ModelInfo* traced : models::traced_models()) {
+        const bsdf::Alternative& alternative = *traced->alternative;
+        const std::string value = alternative_value(options, alternative);
+        if (value != alternative.usual) return fmt::format("{} = {}", alternative.flag, value);
+    }
+    if (options.specimen != 0) return fmt::format("--specimen = {}", options.specimen);
+    return std::nullopt;
+}
+
 std::string choice_of_table(const Model& model) {
     for (const ModelOption& option : model.info().options) {
         if (!option.of_solution) continue;

@@ -101,19 +101,11 @@ void require_values(const bsdf::ModelInfo& model) {
                                  choice_of(model), model.can.sparkle ? "render" : "reference"));
 }
 
-void refuse_measured_brdf(const Paint& paint) {
-    if (paint.kind() != Kind::measured_brdf) return;
-    throw InputError(
-        fmt::format("{}: holds a measured BRDF, which is shown as it was measured: it takes "
-                    "neither --model nor {}",
-                    paint.file(), fmt::join(solution_flags(), " nor ")));
-}
-
-void refuse_model(const std::string& model, const std::string& what) {
+void refuse_choice(const std::string& choice, const std::string& what) {
     throw UsageError(
-        fmt::format("--model = {}: {} holds a measured BRDF, which is shown as it was measured; "
-                    "models are for recipes",
-                    model, what));
+        fmt::format("{}: {} holds a measured BRDF, which is shown as it was measured; models "
+                    "are for recipes, and so are their options",
+                    choice, what));
 }
 
 std::optional<bsdf::Model> model_for(std::initializer_list<const Paint*> paints,
@@ -129,8 +121,20 @@ std::optional<bsdf::Model> model_for(std::initializer_list<const Paint*> paints,
     }
     const auto measured = std::find_if(paints.begin(), paints.end(), is_measured_brdf);
     if (measured != paints.end()) {
-        if (options.model_given) refuse_model(options.model, (*measured)->file());
-        if (parse_model_settings(options).makes_table()) refuse_measured_brdf(**measured);
+        if (options.model_given) {
+            refuse_choice("--model = " + options.model, (*measured)->file());
+        }
+        if (parse_model_settings(options).makes_table()) {
+            throw InputError(
+                fmt::format("{}: holds a measured BRDF, which is shown as it was measured: it "
+                            "takes neither --model nor {}",
+                            (*measured)->file(), fmt::join(solution_flags(), " nor ")));
+        }
+    } else if (const auto choice = choice_of_any(options)) {
+        throw UsageError(
+            fmt::format("{}: {} holds measured colours, which are as they are; models "
+                        "are for recipes, and so are their options",
+                        *choice, (*paints.begin())->file()));
     }
     return std::nullopt;
 }

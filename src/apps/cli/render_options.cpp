@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "apps/cli/picture_output.h"
@@ -77,7 +78,8 @@ void add_render_options(CLI::App& command, RenderCommandOptions& options) {
                     "With --frames: a video of them besides, by ffmpeg: .mp4, .mkv, .webm, .gif")
         ->type_name("FILE");
     command.add_option("--fps", options.video.frames_per_s, "Frames a second of the video")
-        ->check(CLI::Range(0.1, 240.0))
+        ->check(in_range(0.1, 240.0))
+        ->each([&options](const std::string&) { options.fps_given = true; })
         ->capture_default_str();
     command.add_option("--size", options.size, "Pixels as WIDTHxHEIGHT")->capture_default_str();
     command.add_option("--depth", options.render.max_depth, "Surface reflections along a path")
@@ -120,6 +122,9 @@ void check_choices(const RenderCommandOptions& options) {
     if (options.frames.empty() && !options.video.path.empty()) {
         throw UsageError("--video belongs to --frames");
     }
+    if (options.fps_given && options.video.path.empty()) {
+        throw UsageError("--fps belongs to --video");
+    }
     if (!options.frames.empty() && !options.turntable) {
         throw UsageError("--frames needs --turntable, which says what turns");
     }
@@ -135,8 +140,10 @@ void check_choices(const RenderCommandOptions& options) {
     if (options.shard && options.tone_map != io::ToneMap{}) {
         throw UsageError("--exposure and --gamut belong to nacre merge where there is --shard");
     }
-    if (options.render.sparkle && !parse_model(options.model).can.sparkle) {
-        throw UsageError(fmt::format("--sparkle: the model {} shows no single flakes; must be {}",
+    for (const auto& [option, given] : {std::pair{"--sparkle", options.render.sparkle},
+                                        {"--footprint", options.render.footprint_pixels != 0}}) {
+        if (!given || parse_model(options.model).can.sparkle) continue;
+        throw UsageError(fmt::format("{}: the model {} shows no single flakes; must be {}", option,
                                      options.model.model, fmt::join(sparkling_models(), " or ")));
     }
 }
