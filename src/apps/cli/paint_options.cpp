@@ -42,11 +42,19 @@ Paint open_as_it_is(const CommonOptions& options, const std::string& file) {
 
 /// A file that is named on the command line is looked for where the command runs first: shipped recipes,
 /// beside which it would lie otherwise, are elsewhere.
-std::string setting_value(const std::string& text) {
-    const std::string name(trimmed(text));
-    std::error_code none;
-    if (!name.ends_with(".csv") || !std::filesystem::is_regular_file(name, none)) return text;
-    return std::filesystem::absolute(name).string();
+std::string setting_value(std::string_view value) {
+    std::string with;
+    std::size_t done = 0;
+    for (const std::string_view text : texts_of_setting(value)) {
+        std::error_code none;
+        const std::filesystem::path file(text);
+        if (!text.ends_with(".csv") || !std::filesystem::is_regular_file(file, none)) continue;
+        const auto begin = static_cast<std::size_t>(text.data() - value.data());
+        with += value.substr(done, begin - done);
+        with += std::filesystem::absolute(file).string();
+        done = begin + text.size();
+    }
+    return with.append(value.substr(done));
 }
 
 Paint with_settings(const CommonOptions& options, const Paint& paint) {
@@ -58,7 +66,7 @@ Paint with_settings(const CommonOptions& options, const Paint& paint) {
                 fmt::format("--set {}: must be KEY=VALUE, as in layer[0].thickness_um=20", text));
         }
         settings.emplace_back(trimmed(std::string_view(text).substr(0, equals)),
-                              setting_value(text.substr(equals + 1)));
+                              setting_value(std::string_view(text).substr(equals + 1)));
     }
     try {
         return paint.with_settings(settings);
