@@ -4,7 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
 #include <sstream>
+#include <system_error>
 
 #include "nacre/core/text.h"
 
@@ -31,6 +37,51 @@ std::vector<std::string> option_names(const CLI::App& command) {
         for (const std::string& name : option->get_snames()) names.push_back("-" + name);
     }
     return names;
+}
+
+/// A whole number without what CLI11 would take for the mark of octal ones.
+/// @return what is wrong; else empty
+std::string to_decimal(std::string& text, bool is_signed) {
+    const std::size_t sign = text.find_first_not_of("+-") == 1 ? 1 : 0;
+    const std::string digits = text.substr(sign);
+    const bool negative = sign == 1 && text[0] == '-';
+    if (digits.empty() || digits.find_first_not_of("0123456789") != std::string::npos) {
+        return fmt::format("Value {} is not a whole number", excerpt(text));
+    }
+    const std::string decimal =
+        digits.substr(std::min(digits.find_first_not_of('0'), digits.size() - 1));
+    std::uint64_t magnitude = 0;
+    const auto read = std::from_chars(decimal.data(), decimal.data() + decimal.size(), magnitude);
+    const std::uint64_t limit = is_signed ? std::numeric_limits<std::int64_t>::max()
+                                          : std::numeric_limits<std::uint64_t>::max();
+    if (read.ec != std::errc() || magnitude > limit || (negative && !is_signed && magnitude > 0)) {
+        return fmt::format("Value {} not in range {} to {}", excerpt(text),
+                           is_signed ? fmt::format("-{}", limit) : "0", limit);
+    }
+    text = (negative && magnitude > 0 ? "-" : "") + decimal;
+    return {};
+}
+
+/// CLI11 reads whole numbers as C does, 010 as 8 and -1 as 2^64 - 1, and finds nan in each range.
+void check_numbers(CLI::App& program) {
+    for (CLI::App* command : program.get_subcommands([](CLI::App*) { return true; })) {
+        for (CLI::Option* option : command->get_options()) {
+            const std::string type = option->get_type_name();
+            if (type.starts_with("INT") || type.starts_with("UINT")) {
+                const bool is_signed = type.starts_with("INT");
+                option->transform(CLI::Validator(
+                    [is_signed](std::string& text) { return to_decimal(text, is_signed); }, ""));
+            } else if (type.starts_with("FLOAT")) {
+                option->check(CLI::Validator(
+                    [](std::string& text) {
+                        return std::isnan(std::strtod(text.c_str(), nullptr))
+                                   ? fmt::format("Value {} is not a number", excerpt(text))
+                                   : std::string();
+                    },
+                    ""));
+            }
+        }
+    }
 }
 
 /// "nacre measure --help lists ..."
@@ -69,6 +120,7 @@ std::optional<ExitStatus> parse_command_line(CLI::App& program,
         arguments.push_back("--help");
     }
     check_first_word(program, arguments);
+    check_numbers(program);
     std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
     try {
         program.parse(arguments);

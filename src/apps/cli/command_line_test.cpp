@@ -175,5 +175,99 @@ TEST_F(Program, ShippedPaintsArePlausible) {
     }
 }
 
+TEST_F(Program, OptionsTakeNoEmptyValue) {
+    write("a.png", "any");
+    write("lab.csv", "geometry,L,a,b\n45as15,90,1,2\n");
+    for (const std::string arguments :
+         {"measure gray.toml --tolerance", "measure gray.toml --versus",
+          "measure gray.toml --weights", "measure gray.toml --formula",
+          "measure gray.toml --illuminant", "measure gray.toml --observer",
+          "measure gray.toml --aperture", "measure gray.toml --geometry",
+          "measure gray.toml --wavelength", "measure gray.toml --model",
+          "diff a.png a.png --max-delta-e-mean", "sparkle gray.toml --versus",
+          "fit gray.toml --start gray.toml --also", "fit gray.toml --start gray.toml --noise",
+          "atlas --film mica --illuminant", "atlas --film mica --observer",
+          "render sphere --paint gray.toml -o x.exr --frames"}) {
+        const Outcome outcome = nacre(arguments + " ''");
+        EXPECT_EQ(outcome.status, 1) << arguments << outcome.err;
+        EXPECT_THAT(outcome.err, HasSubstr(arguments.substr(arguments.rfind("--")) + ": "))
+            << arguments;
+        EXPECT_THAT(outcome.out, IsEmpty());
+    }
+}
+
+TEST_F(Program, NoRangeHoldsNan) {
+    const std::string render = "render sphere --paint gray.toml -o x.exr ";
+    for (const std::string& arguments :
+         {std::string("diff a.png a.png --min-psnr"),
+          std::string("diff a.png a.png --heat-full-scale"), render + "--exposure",
+          render + "--fps", render + "--footprint", std::string("merge a.h5 -o x.exr --exposure"),
+          std::string("sparkle gray.toml --panel"), std::string("sparkle gray.toml --distance")}) {
+        for (const char* nan : {" nan", " -NaN"}) {
+            const Outcome outcome = nacre(arguments + nan);
+            EXPECT_EQ(outcome.status, 1) << arguments << outcome.err;
+            EXPECT_THAT(outcome.err, HasSubstr(arguments.substr(arguments.rfind("--")) + ": "))
+                << arguments;
+        }
+    }
+}
+
+TEST_F(Program, WholeNumbersAreDecimal) {
+    const std::string at = " --incident 45 --outgoing 0 --wavelength 550 -q ";
+    const std::string reference = "reference gray.toml" + at;
+    EXPECT_EQ(nacre(reference + "--samples 0100").out, nacre(reference + "--samples 100").out);
+    EXPECT_EQ(nacre(reference + "--samples 100 --seed 010").out,
+              nacre(reference + "--samples 100 --seed 10").out);
+    EXPECT_EQ(nacre(reference + "--samples 080").status, 0);
+    EXPECT_NE(nacre(reference + "--samples 100 --seed 18446744073709551615").out, "");
+    const std::string eval = "eval gray.toml" + at;
+    EXPECT_EQ(nacre(eval + "--specimen 9007199254740992").status, 0);
+    for (const std::string& arguments :
+         {reference + "--samples 0x64", reference + "--samples 1e2", reference + "--seed -1",
+          reference + "--seed 18446744073709551616", eval + "--specimen -1",
+          eval + "--specimen 9007199254740993", eval + "--specimen 18446744073709551616",
+          std::string("solve gray.toml -o x.h5 --orders 99999999999999999999")}) {
+        const Outcome outcome = nacre(arguments);
+        EXPECT_EQ(outcome.status, 1) << arguments << outcome.err;
+        const std::string option = arguments.substr(arguments.rfind("--"));
+        EXPECT_THAT(outcome.err, HasSubstr(option.substr(0, option.find(' ')) + ": Value "));
+    }
+}
+
+TEST_F(Program, RangesAreToldAsTheyAre) {
+    EXPECT_THAT(nacre("solve gray.toml -o x.h5 --tolerance 0").err,
+                HasSubstr("--tolerance: Value 0 not in range 1e-09 to 0.1"));
+    for (const char* gamut : {"p3", "1"}) {
+        const Outcome outcome =
+            nacre(std::string("render sphere --paint gray.toml -o x.exr --gamut ") + gamut);
+        EXPECT_EQ(outcome.status, 1);
+        EXPECT_THAT(outcome.err, HasSubstr(std::string("--gamut: ") + gamut + " not in {"));
+        EXPECT_THAT(outcome.err, HasSubstr("display-p3"));
+    }
+}
+
+TEST_F(Program, OptionsThatWouldDoNothingAreRefused) {
+    write("lab.csv", "geometry,L,a,b\n45as15,90,1,2\n");
+    const std::string render = "render sphere --paint gray.toml -o x.exr --spp 1 --size 2x2 ";
+    const std::pair<std::string, const char*> cases[] = {
+        {"measure lab.csv --model nacre", "--model = nacre: lab.csv holds measured colours"},
+        {"measure lab.csv --no-hot-spot", "--no-hot-spot: lab.csv holds measured colours"},
+        {"measure lab.csv --table svd", "--table = svd: lab.csv holds measured colours"},
+        {"measure lab.csv --model walk --samples 100", "--model = walk: lab.csv holds measured"},
+        {"measure lab.csv --samples 100", "--samples belongs to --model"},
+        {"fit lab.csv --start gray.toml --free alpha --model walk", "--model = walk: lab.csv is"},
+        {"fit lab.csv --start gray.toml --free alpha --constructions 2",
+         "--constructions belongs to --library"},
+        {render + "--footprint 2 --model microflake", "--footprint: the model microflake shows no"},
+        {render + "--fps 12", "--fps belongs to --video"},
+    };
+    for (const auto& [arguments, complaint] : cases) {
+        const Outcome outcome = nacre(arguments);
+        EXPECT_EQ(outcome.status, 1) << arguments << outcome.err;
+        EXPECT_THAT(outcome.err, HasSubstr(complaint)) << arguments;
+        EXPECT_THAT(outcome.out, IsEmpty()) << arguments;
+    }
+}
+
 }  // namespace
 }  // namespace nacre::cli::testing

@@ -119,7 +119,7 @@ Command add_diff(CLI::App& program) {
         ->type_name("FILE");
     diff->add_option("--heat-full-scale", options->heat_full_scale,
                      "Delta E that is white in the heat map")
-        ->check(CLI::Range(1e-6, 1e6))
+        ->check(in_range(1e-6, 1e6))
         ->capture_default_str();
     diff->add_option("--min-psnr", options->min_psnr, "Fail below this PSNR, dB");
     diff->add_option("--max-relative", options->max_relative, "Fail above this relative error");
@@ -138,7 +138,9 @@ Command add_diff(CLI::App& program) {
         "Example:\n  nacre diff new.exr approved.exr --max-delta-e-mean 1 -o difference.png");
     return {diff,
             [options] {
-                return files_of(*options, {options->a, options->b});
+                CommandFiles files = files_of(*options, {options->a, options->b});
+                files.prints = true;
+                return files;
             },
             [options] { return run(*options); }};
 }

@@ -48,6 +48,9 @@ void check_patch(const EvalOptions& options, const bsdf::ModelInfo& model) {
 /// The square that --at and --footprint describe; the mean over the surface without them.
 PaintBrdf on_patch(const PaintBrdf& brdf, const EvalOptions& options) {
     if (options.at.empty()) return brdf;
+    if (brdf.surface_coordinates() == bsdf::SurfaceCoordinates::none) {
+        throw UsageError("--at and --footprint: the surface is alike everywhere");
+    }
     const std::vector<std::string_view> place = split(options.at, ',');
     return brdf.on(parse_number("--at", place[0], brdf.place_range()),
                    parse_number("--at", place[1], brdf.place_range()),

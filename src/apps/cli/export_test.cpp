@@ -14,6 +14,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 const char* const kSmall = " --resolution 24 --incidences 16 --wavelength 450,550,650";
@@ -228,6 +229,21 @@ TEST_F(Program, ExportRefusesWhatDoesNotFitItsFormat) {
         EXPECT_THAT(cut.err, StartsWith("nacre: cut.bsdf: field 0 is cut short"));
     }
     EXPECT_FALSE(exists("a.binary") || exists("a.bsdf"));
+}
+
+TEST_F(Program, MeasuredBrdfsHaveNoFlakes) {
+    ASSERT_EQ(nacre(std::string("export gray.toml -q -o gray.bsdf") + kSmall).status, 0);
+    const std::string render = "render sphere --brdf gray.bsdf --spp 1 --size 8x8 -q -o a.exr ";
+    for (const std::string option : {"--sparkle", "--footprint 2", "--specimen 3"}) {
+        const Outcome outcome = nacre(render + option);
+        EXPECT_EQ(outcome.status, 1) << option;
+        EXPECT_THAT(outcome.err, HasSubstr(option.substr(0, option.find(' ')) + ": every"));
+        EXPECT_FALSE(exists("a.exr")) << option;
+    }
+    const Outcome sparkle = nacre("sparkle gray.bsdf");
+    EXPECT_EQ(sparkle.status, 2);
+    EXPECT_THAT(sparkle.err,
+                AllOf(HasSubstr("measured BRDF, which has no flakes"), Not(HasSubstr("--model"))));
 }
 
 }  // namespace

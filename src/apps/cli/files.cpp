@@ -87,9 +87,21 @@ void check_not_an_input(const Output& output, const std::vector<Input>& inputs) 
 }
 
 void check_not_another(const Output& output, const Output& other) {
-    if (!is_same_file(output.name, other.name)) return;
+    if (!is_same_file(output.name, other.name) &&
+        !(is_standard_output(output.name) && is_standard_output(other.name))) {
+        return;
+    }
     throw UsageError(fmt::format("{} = {}: is the same file as {} = {}", output.option, output.name,
                                  other.option, other.name));
+}
+
+/// Two outputs there would be mixed.
+void check_not_printed_to(const Output& output) {
+    if (!is_standard_output(output.name)) return;
+    throw UsageError(
+        fmt::format("{} = {}: is the standard output, which takes another output of the same "
+                    "command",
+                    output.option, output.name));
 }
 
 /// CSV in a file that is called .xlsx would be opened as what it is not, and the same elsewhere.
@@ -155,11 +167,47 @@ std::vector<Output> outputs_in(const OutputFolder& folder) {
 
 }  // namespace
 
+bool is_standard_output(const std::string& name) {
+    const std::string plain = fs::path(name).lexically_normal().string();
+    return name == "-" || plain == "/dev/stdout" || plain == "/dev/fd/1" ||
+           plain == "/proc/self/fd/1" || is_same_file(name, "/dev/stdout");
+}
+
+std::vector<std::string_view> texts_of_setting(std::string_view value) {
+    const std::string_view whole = trimmed(value);
+    constexpr std::string_view kQuotes = "\"'";
+    if (whole.empty() || std::string_view("\"'[{").find(whole[0]) == std::string_view::npos) {
+        return {whole};
+    }
+    std::vector<std::string_view> texts;
+    std::size_t begin = whole.find_first_of(kQuotes);
+    while (begin != std::string_view::npos) {
+        const std::size_t end = whole.find(whole[begin], begin + 1);
+        if (end == std::string_view::npos) break;
+        texts.push_back(whole.substr(begin + 1, end - begin - 1));
+        begin = whole.find_first_of(kQuotes, end + 1);
+    }
+    return texts;
+}
+
 CommandFiles files_of(const CommonOptions& options, std::vector<std::string> inputs,
                       const std::string& format) {
+    const std::size_t arguments = inputs.size();
+    for (const std::string& setting : options.set) {
+        const std::size_t equals = std::min(setting.find('='), setting.size() - 1);
+        for (const std::string_view text :
+             texts_of_setting(std::string_view(setting).substr(equals + 1))) {
+            inputs.emplace_back(text);
+            for (std::size_t i = 0; i < arguments;
+                 ++i) {  // else it is looked for beside the recipe
+                inputs.push_back((fs::path(inputs[i]).parent_path() / text).string());
+            }
+        }
+    }
     return {.inputs = std::move(inputs),
             .files = {{"--output", options.output, false, format}, {"--report", options.report}},
-            .untrusted = options.untrusted};
+            .untrusted = options.untrusted,
+            .prints = options.output.empty()};
 }
 
 void check_files(const CommandFiles& files) {
@@ -180,6 +228,7 @@ void check_files(const CommandFiles& files) {
         outputs.empty() ? std::vector<Input>() : existing_inputs(files);
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         check_not_an_input(outputs[i], inputs);
+        if (files.prints) check_not_printed_to(outputs[i]);
         for (std::size_t j = 0; j < i; ++j) check_not_another(outputs[i], outputs[j]);
     }
     for (const Output& output : named) check_format(output);
@@ -193,14 +242,17 @@ void check_files(const CommandFiles& files) {
     for (const Output& output : named) check_format(output);
 }
 
-void check_names(const CLI::App& command) {
+void check_values(const CLI::App& command) {
     for (const CLI::Option* option : command.get_options()) {
         const std::string type = option->get_type_name();
-        if (!type.starts_with("FILE") && type != "DIR" && type != "RECIPE") continue;
-        for (const std::string& name : option->results()) {
-            if (!name.empty()) continue;
-            throw UsageError(fmt::format("{}: the name of a {} is expected", option->get_name(),
-                                         type == "DIR" ? "folder" : "file"));
+        const bool is_folder = type == "DIR" || type == "FOLDER";
+        const bool is_name = is_folder || type.starts_with("FILE") || type == "RECIPE";
+        for (const std::string& value : option->results()) {
+            if (!value.empty()) continue;
+            throw UsageError(fmt::format("{}: {} is expected", option->get_name(),
+                                         is_folder ? "the name of a folder"
+                                         : is_name ? "the name of a file"
+                                                   : "a value"));
         }
     }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 // The files that a command reads and writes. They are checked in one place, before the work: a
@@ -44,6 +45,7 @@ struct CommandFiles {
     std::vector<Output> files;
     std::vector<OutputFolder> folders = {};
     bool untrusted = false;  ///< inputs name files in their folders only
+    bool prints = false;     ///< data to the standard output, whatever the files are called
 };
 
 /// What a command with --output and --report reads and writes.
@@ -59,8 +61,15 @@ CommandFiles files_of(const CommonOptions& options, std::vector<std::string> inp
 /// @throws InputError as check_output_file(), check_output_folder() and io::check_png_beside()
 void check_files(const CommandFiles& files);
 
-/// Refuses options for files and folders that were given an empty name.
+/// Whether a name means the standard output, or the file to which that is redirected.
+bool is_standard_output(const std::string& name);
+
+/// What a value of --set may name: its texts, which are the whole where nothing begins with a quote
+/// or is a list or a table. They are parts of `value`.
+std::vector<std::string_view> texts_of_setting(std::string_view value);
+
+/// Refuses options that were given an empty value: no option means anything by it.
 /// @throws UsageError naming the option
-void check_names(const CLI::App& command);
+void check_values(const CLI::App& command);
 
 }  // namespace nacre::cli

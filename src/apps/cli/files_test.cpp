@@ -65,6 +65,13 @@ TEST_F(Files, AnOutputIsNoInput) {
           "[[shapes]]\ntype = \"mesh\"\npath = \"../mesh.exr\"\nmaterial = \"paint\"\n"
           "[materials.paint]\nrecipe = \"../glass.toml\"\n[environment]\npath = \"../b.exr\"\n");
     write("mesh.exr", "any");
+    write("ground.csv", "wavelength_nm,reflectance\n400,0.2\n700,0.4\n");
+    write("below/beside.csv", "any");
+    write("ball.mtl", "any");
+    write("ball.obj", "mtllib ball.mtl\n");
+    write("corners.bin", corners());
+    write("triangle.gltf", triangle("corners.bin"));
+    fs::create_symlink("ball.obj", folder_ / "ball.toml");
     fs::create_symlink("gray.toml", folder_ / "link.csv");
     fs::create_hard_link(folder_ / "gray.toml", folder_ / "same.csv");
     const std::string walk = " --incident 45 --outgoing 0 --samples 2 ";
@@ -83,6 +90,16 @@ TEST_F(Files, AnOutputIsNoInput) {
           "measure gray.toml --versus glass.toml -o glass.toml",
           "measure gray.toml --versus glass.toml -o glass.csv",
           "measure gray.toml --geometry set.toml -o set.toml",
+          "measure gray.toml --set substrate.reflectance=ground.csv -o ground.csv",
+          "measure gray.toml --set 'substrate.reflectance=\"ground.csv\"' -o ground.csv",
+          "measure gray.toml --set 'clearcoat={ior=\"glass.csv\"}' --report glass.csv",
+          "measure below/scene.toml --set substrate.reflectance=beside.csv -o below/beside.csv",
+          "solve gray.toml --set substrate.reflectance=ground.csv -o x.h5 --report ground.csv",
+          "info gray.toml --set substrate.reflectance=ground.csv -o ground.csv",
+          "scene ball.obj -o ball.obj",
+          "scene ball.obj -o ball.toml",
+          "scene ball.obj -o ball.mtl",
+          "scene triangle.gltf -o corners.bin",
           "diff a.png b.exr -o a.png",
           "diff a.png b.exr -o b.exr",
           "fit gray.toml --start glass.toml -o glass.toml",
@@ -464,6 +481,43 @@ TEST_F(Files, AnOpenFileIsAppendedTo) {
         shell("echo old > log; \"$NACRE\" " + kEval + "-o /dev/stdout >> log; echo $?");
     EXPECT_EQ(outcome.out, "0\n");
     EXPECT_THAT(contents(folder_ / "log"), AllOf(HasSubstr("old\ntheta_i"), HasSubstr("\n45,")));
+}
+
+TEST_F(Files, OneOutputGoesToTheStandardOutput) {
+    write("a.png", "any");
+    const std::string fit = "fit gray.toml --start gray.toml --free alpha --starts 1 -q ";
+    for (const std::string& arguments :
+         {fit + "-o -", fit + "-o /dev/stdout", fit + "-o fitted.toml --report /dev/fd/1",
+          std::string("measure gray.toml -q --report -"),
+          std::string("measure gray.toml -q -o - --report /dev/stdout"),
+          std::string("measure gray.toml -q --uncertainty alpha=1% --contributions -"),
+          std::string("diff a.png a.png --report -")}) {
+        for (const char* into : {"> out", ">> out", "| cat > out"}) {
+            const Outcome outcome =
+                shell("rm -f out; { \"$NACRE\" " + arguments + "; echo $? >&2; } " + into);
+            EXPECT_THAT(outcome.err, HasSubstr("\n1\n")) << arguments << into;
+            EXPECT_THAT(outcome.err,
+                        ::testing::AnyOf(HasSubstr("another output of the same command"),
+                                         HasSubstr("is the same file as")))
+                << arguments;
+            EXPECT_THAT(contents(folder_ / "out"), IsEmpty()) << arguments << into;
+        }
+    }
+    // The file to which it is redirected.
+    EXPECT_EQ(shell("\"$NACRE\" " + fit + "-o out.toml > out.toml").status, 1);
+    EXPECT_EQ(shell("\"$NACRE\" measure gray.toml -q -o /dev/null > /dev/null").status, 0);
+}
+
+TEST_F(Files, WhatIsInTheStandardOutputStays) {
+    const std::string table = nacre(kEval).out;
+    for (const char* into : {"> out", ">> out", "1<> out"}) {
+        write("out", "");
+        const Outcome outcome =
+            shell("{ echo first; \"$NACRE\" " + kEval + "-o /dev/stdout; \"$NACRE\" " + kEval +
+                  "; echo last; } " + into);
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        EXPECT_EQ(contents(folder_ / "out"), "first\n" + table + table + "last\n") << into;
+    }
 }
 
 }  // namespace

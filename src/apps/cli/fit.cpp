@@ -32,6 +32,7 @@ constexpr std::size_t kMaxSkippedShown = 12;
 struct FitOptions : CommonOptions {
     std::string standard, start, library, free, weights, also, noise, format = "text";
     std::size_t constructions = 4;
+    bool constructions_given = false;
     double equal_delta_e = 0.3, matched_delta_e = fit::FitOptions().matched_delta_e;
     int starts = 8;
     bool overwrite = false, with_uncertainty = false;
@@ -96,11 +97,23 @@ void add_lights(const FitOptions& options, const measure::Measurement& standard,
     }
 }
 
+/// Refuses a model that sees neither the standard nor the paint that is sought.
+void check_model(const FitOptions& options, const Paint& standard) {
+    if (!options.model.model_given || !standard.is_measured()) return;
+    const bsdf::ModelInfo* model = &parse_model(options.model);
+    const bsdf::ModelInfo *sharp = &NacreModel::info, *smooth = &MicroflakeModel::info;
+    if (model == sharp || model == smooth) return;
+    throw UsageError(fmt::format(
+        "--model = {}: {} is measured, and the paint that is sought is seen by {} or {}",
+        model->name, options.standard, sharp->name, smooth->name));
+}
+
 /// The standard as it is measured or, of a paint, seen by the instrument.
 Measurement wanted_of(const FitOptions& options, const Paint& standard,
                       InstrumentRequest& instrument) {
     ModelOptions of_standard = options.model;
     of_standard.model_given = false;  // also for the paint that is sought
+    if (standard.kind() == Kind::measured_colours) of_standard = {};
     instrument.settings.model = model_for({&standard}, of_standard, true);
     ProgressBar bar("measure", options.quiet);
     return standard.measure(instrument.geometries, instrument.settings, bar.callback()).measurement;
@@ -171,6 +184,9 @@ std::optional<Start> open_start(const FitOptions& options, const FitSettings& ho
         throw UsageError(
             "give --start, the recipe to start from, or --library, a folder of nacre-library");
     }
+    if (options.library.empty() && options.constructions_given) {
+        throw UsageError("--constructions belongs to --library");
+    }
     if (!options.library.empty()) {
         if (options.free.empty()) return std::nullopt;
         throw UsageError("--free belongs to --start: a library's sweeps say what varies");
@@ -229,6 +245,7 @@ ExitStatus run(const FitOptions& options) {
     const InterruptHandler interrupt;
     const std::optional<Start> start = open_start(options, how);
     const Paint standard = open_input(options, options.standard);
+    check_model(options, standard);
     const Measurement wanted = wanted_of(options, standard, instrument);
     say_warnings(options, standard);
     add_lights(options, wanted, how.target);
@@ -269,6 +286,7 @@ CommandFiles files(const FitOptions& options) {
     if (options.overwrite && options.output.empty()) {
         throw UsageError("--overwrite belongs to --output: it lets that be the start recipe");
     }
+    files.prints = true;
     for (Output& output : files.files) {
         if (output.option != "--output") continue;
         output.may_replace = options.start;
@@ -297,7 +315,8 @@ Command add_fit(CLI::App& program) {
         ->add_option("--constructions", options->constructions,
                      "With --library: how many constructions are fitted; four times as many are "
                      "fitted roughly before")
-        ->check(CLI::Range(1, 100))
+        ->check(in_range(1, 100))
+        ->each([options](const std::string&) { options->constructions_given = true; })
         ->capture_default_str();
     command->add_option("--free", options->free,
                         "Numbers to turn, by key or the end of a key; * stands for any text "
@@ -314,16 +333,16 @@ Command add_fit(CLI::App& program) {
     command
         ->add_option("--equal", options->equal_delta_e,
                      "Mean Delta E 2000 within which compositions count as equal")
-        ->check(CLI::Range(kEqual.lo, kEqual.hi))
+        ->check(in_range(kEqual.lo, kEqual.hi))
         ->capture_default_str();
     command
         ->add_option("--within", options->matched_delta_e,
                      "Mean Delta E 2000 up to which the standard counts as matched; beyond, the "
                      "exit status is 4")
-        ->check(CLI::Range(kEqual.lo, kEqual.hi))
+        ->check(in_range(kEqual.lo, kEqual.hi))
         ->capture_default_str();
     command->add_option("--starts", options->starts, "Descents from different places")
-        ->check(CLI::Range(1, fit::FitOptions::kMaxStarts))
+        ->check(in_range(1, fit::FitOptions::kMaxStarts))
         ->capture_default_str();
     command->add_option("--format", options->format, "text or json, on standard output")
         ->check(CLI::IsMember({"text", "json"}))

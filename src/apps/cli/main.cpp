@@ -55,7 +55,7 @@ class SignalsAsErrors {
 ExitStatus run_command(const std::vector<nacre::cli::Command>& commands) {
     for (const nacre::cli::Command& command : commands) {
         if (!command.options->parsed()) continue;
-        nacre::cli::check_names(*command.options);
+        nacre::cli::check_values(*command.options);
         nacre::cli::check_files(command.files());
         return command.run();
     }

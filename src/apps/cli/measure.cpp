@@ -150,12 +150,7 @@ ExitStatus compare(const MeasureOptions& options, const Sample& sample, const Sa
     document["standard"] = standard.paint.file();
     document["total_s"] = watch.seconds();
     write_report(options, "measure", document);
-    if (!verdict || verdict->passes()) return ExitStatus::ok;
-    const auto failed = std::ranges::count_if(
-        verdict->angles, [](const measure::AngleVerdict& angle) { return !angle.passes(); });
-    say(options, fmt::format("does not pass: beyond the tolerance ({}) at {} of {} angles",
-                             verdict->tolerance.formula.name(), failed, verdict->angles.size()));
-    return ExitStatus::comparison_failed;
+    return status_of(options, verdict);
 }
 
 ExitStatus run(const MeasureOptions& options) {
@@ -270,7 +265,7 @@ Command add_measure(CLI::App& program) {
                      fmt::format("With --model {}: walks per lamp; standard errors are in columns "
                                  "SE<nm> [262144]",
                                  fmt::join(sampled_models(), ", ")))
-        ->check(CLI::Range(std::uint64_t{2}, std::uint64_t{1'000'000'000'000}));
+        ->check(in_range(std::uint64_t{2}, std::uint64_t{1'000'000'000'000}));
     command->add_option("--versus", options->versus,
                         "Standard to compare with: a recipe or a measured file");
     command->add_option("--weights", options->weights,

@@ -14,6 +14,7 @@ namespace nacre::cli::testing {
 
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -333,6 +334,16 @@ TEST_F(Program, MeasurePrintsATableForPeople) {
         nacre("measure gray.toml --versus gray.toml --geometry 45as15 --format text --tolerance 1");
     EXPECT_THAT(difference.out, HasSubstr("dE2000  tolerance  verdict"));
     EXPECT_THAT(difference.out, HasSubstr("0.00          1     pass"));
+}
+
+TEST_F(Program, UncertaintiesAreNamedOnce) {
+    const Outcome twice = nacre("measure gray.toml --uncertainty alpha=1% --uncertainty alpha=2%");
+    EXPECT_EQ(twice.status, 1) << twice.err;
+    EXPECT_THAT(twice.err, HasSubstr("--uncertainty = alpha=2%: alpha appears twice"));
+    const Outcome none = nacre("measure gray.toml --uncertainty-samples 10");
+    EXPECT_EQ(none.status, 2);
+    EXPECT_THAT(none.err, AllOf(HasSubstr("--uncertainty: "),
+                                Not(HasSubstr("--uncertainty: --uncertainty"))));
 }
 
 }  // namespace

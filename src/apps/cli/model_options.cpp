@@ -19,6 +19,9 @@ using bsdf::Model;
 using bsdf::ModelInfo;
 using bsdf::ModelOption;
 
+/// As a scene allows: whole numbers up to 2^53.
+constexpr std::uint64_t kMaxSpecimen = std::uint64_t{1} << 53;
+
 /// An option and the model that has it.
 struct Owned {
     const ModelInfo* model;
@@ -65,7 +68,7 @@ void add_option(CLI::App& command, ModelOptions& options, const Owned& owned) {
     } else if (option.range) {
         value.number = option.get(owned.model->standard());
         command.add_option(flag, value.number, help)
-            ->check(CLI::Range(option.range->first, option.range->second))
+            ->check(in_range(option.range->first, option.range->second))
             ->capture_default_str();
     } else {
         value.on = option.get(owned.model->standard()) != 0;
@@ -133,7 +136,7 @@ void add_model_options(CLI::App& command, ModelOptions& options) {
                                 "are; in pictures also which waves an orange peel has, and where a "
                                 "tinted coat is thicker; 0: the scene's, or the first",
                                 fmt::join(sparkling_models(), ", ")))
-        ->type_name("N")
+        ->check(in_range(std::uint64_t{0}, kMaxSpecimen))
         ->capture_default_str();
     const std::vector<CLI::Option*> all = command.get_options();
     for (std::size_t i = before; i < all.size(); ++i) all[i]->group("Of single models");
@@ -189,6 +192,24 @@ bool asks_for_table(const ModelOptions& options) {
     return std::ranges::any_of(all_options(), [&](const Owned& owned) {
         return owned.option->of_solution && value_of(options, owned) != default_text(owned);
     });
+}
+
+std::optional<std::string> choice_of_any(const ModelOptions& options) {
+    if (options.model_given) return "--model = " + options.model;
+    for (const Owned& owned : all_options()) {
+        const std::string value = value_of(options, owned);
+        if (value == default_text(owned)) continue;
+        const std::string flag(owned.option->flag);
+        if (value == "on" || value == "off") return value == "on" ? flag : negative(flag);
+        return flag + " = " + value;
+    }
+    for (const ModelInfo* traced : models::traced_models()) {
+        const bsdf::Alternative& alternative = *traced->alternative;
+        const std::string value = alternative_value(options, alternative);
+        if (value != alternative.usual) return fmt::format("{} = {}", alternative.flag, value);
+    }
+    if (options.specimen != 0) return fmt::format("--specimen = {}", options.specimen);
+    return std::nullopt;
 }
 
 std::string choice_of_table(const Model& model) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,8 @@ std::string choice_of(const bsdf::ModelInfo& model);
 std::vector<std::string> solution_flags();
 /// Whether one of these options was given another value than its default.
 bool asks_for_table(const ModelOptions& options);
+/// What the command line said about models, as in "--no-hot-spot"; none if it said nothing.
+std::optional<std::string> choice_of_any(const ModelOptions& options);
 /// What the command line said to have a model make a table, as in "--table = svd".
 std::string choice_of_table(const bsdf::Model& model);
 

@@ -82,7 +82,7 @@ References references_of(const CommonOptions& options, const std::string& input)
 void add_threads(CLI::App& command, CommonOptions& options) {
     command.add_option("--threads", options.threads, "Threads to use; 0 means all")
         ->group(kRunningGroup)
-        ->check(CLI::Range(0, 4096))
+        ->check(in_range(0, 4096))
         ->capture_default_str();
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdint>
@@ -64,6 +66,20 @@ Command add_scene(CLI::App& program);       ///< built-in scenes as files
 Command add_completion(CLI::App& program);  ///< for shells; the program outlives it
 Command add_fit(CLI::App& program);         ///< from colour back to composition
 Command add_export(CLI::App& program);      ///< formats of measured BRDFs
+
+/// Of an option of numbers: must be from `lo` to `hi`.
+template <class T>
+CLI::Validator in_range(T lo, T hi) {
+    return CLI::Validator(
+        [lo, hi](std::string& text) {
+            T value{};
+            if (CLI::detail::lexical_cast(text, value) && value >= lo && value <= hi) {
+                return std::string();
+            }
+            return fmt::format("Value {} not in range {} to {}", excerpt(text), lo, hi);
+        },
+        fmt::format("{} in [{} - {}]", CLI::detail::type_name<T>(), lo, hi));
+}
 
 /// Wall-clock time since it was made.
 class Stopwatch {

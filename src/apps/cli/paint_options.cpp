@@ -42,11 +42,19 @@ Paint open_as_it_is(const CommonOptions& options, const std::string& file) {
 
 /// A file that is named on the command line is looked for where the command runs first: shipped recipes,
 /// beside which it would lie otherwise, are elsewhere.
-std::string setting_value(const std::string& text) {
-    const std::string name(trimmed(text));
-    std::error_code none;
-    if (!name.ends_with(".csv") || !std::filesystem::is_regular_file(name, none)) return text;
-    return std::filesystem::absolute(name).string();
+std::string setting_value(std::string_view value) {
+    std::string with;
+    std::size_t done = 0;
+    for (const std::string_view text : texts_of_setting(value)) {
+        std::error_code none;
+        const std::filesystem::path file(text);
+        if (!text.ends_with(".csv") || !std::filesystem::is_regular_file(file, none)) continue;
+        const auto begin = static_cast<std::size_t>(text.data() - value.data());
+        with += value.substr(done, begin - done);
+        with += std::filesystem::absolute(file).string();
+        done = begin + text.size();
+    }
+    return with.append(value.substr(done));
 }
 
 Paint with_settings(const CommonOptions& options, const Paint& paint) {
@@ -58,7 +66,7 @@ Paint with_settings(const CommonOptions& options, const Paint& paint) {
                 fmt::format("--set {}: must be KEY=VALUE, as in layer[0].thickness_um=20", text));
         }
         settings.emplace_back(trimmed(std::string_view(text).substr(0, equals)),
-                              setting_value(text.substr(equals + 1)));
+                              setting_value(std::string_view(text).substr(equals + 1)));
     }
     try {
         return paint.with_settings(settings);
@@ -101,19 +109,11 @@ void require_values(const bsdf::ModelInfo& model) {
                                  choice_of(model), model.can.sparkle ? "render" : "reference"));
 }
 
-void refuse_measured_brdf(const Paint& paint) {
-    if (paint.kind() != Kind::measured_brdf) return;
-    throw InputError(
-        fmt::format("{}: holds a measured BRDF, which is shown as it was measured: it takes "
-                    "neither --model nor {}",
-                    paint.file(), fmt::join(solution_flags(), " nor ")));
-}
-
-void refuse_model(const std::string& model, const std::string& what) {
+void refuse_choice(const std::string& choice, const std::string& what) {
     throw UsageError(
-        fmt::format("--model = {}: {} holds a measured BRDF, which is shown as it was measured; "
-                    "models are for recipes",
-                    model, what));
+        fmt::format("{}: {} holds a measured BRDF, which is shown as it was measured; models "
+                    "are for recipes, and so are their options",
+                    choice, what));
 }
 
 std::optional<bsdf::Model> model_for(std::initializer_list<const Paint*> paints,
@@ -129,8 +129,20 @@ std::optional<bsdf::Model> model_for(std::initializer_list<const Paint*> paints,
     }
     const auto measured = std::find_if(paints.begin(), paints.end(), is_measured_brdf);
     if (measured != paints.end()) {
-        if (options.model_given) refuse_model(options.model, (*measured)->file());
-        if (parse_model_settings(options).makes_table()) refuse_measured_brdf(**measured);
+        if (options.model_given) {
+            refuse_choice("--model = " + options.model, (*measured)->file());
+        }
+        if (parse_model_settings(options).makes_table()) {
+            throw InputError(
+                fmt::format("{}: holds a measured BRDF, which is shown as it was measured: it "
+                            "takes neither --model nor {}",
+                            (*measured)->file(), fmt::join(solution_flags(), " nor ")));
+        }
+    } else if (const auto choice = choice_of_any(options)) {
+        throw UsageError(
+            fmt::format("{}: {} holds measured colours, which are as they are; models "
+                        "are for recipes, and so are their options",
+                        *choice, (*paints.begin())->file()));
     }
     return std::nullopt;
 }

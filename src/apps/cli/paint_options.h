@@ -29,8 +29,9 @@ optics::Material open_material(const std::string& option, const std::string& tex
 
 /// The model that the command line chooses for the paints. None where all of them hold measured
 /// values, which are shown as they are.
-/// @throws UsageError as parse_model_settings(), if a model was named and no paint takes one, or if
-///         the model gives no values, only pictures, nor (where they will do) estimates
+/// @throws UsageError as parse_model_settings(), if a model or one of its options was chosen and no
+///         paint takes one, or if the model gives no values, only pictures, nor (where they will
+///         do) estimates
 /// @throws InputError if a table was asked for of a measured BRDF
 std::optional<bsdf::Model> model_for(std::initializer_list<const Paint*> paints,
                                      const ModelOptions& options, bool estimates = false);
@@ -38,11 +39,9 @@ std::optional<bsdf::Model> model_for(std::initializer_list<const Paint*> paints,
 /// @throws UsageError if the model gives no values, only pictures
 void require_values(const bsdf::ModelInfo& model);
 
-/// @throws InputError if the paint is a measured BRDF, where only a model will do
-void refuse_measured_brdf(const Paint& paint);
-
-/// @throws UsageError always: `what` holds a measured BRDF, which takes no model
-[[noreturn]] void refuse_model(const std::string& model, const std::string& what);
+/// @throws UsageError always: `what` holds a measured BRDF, to which nothing can be chosen
+/// @param choice  what the command line said, as in "--model = nacre"
+[[noreturn]] void refuse_choice(const std::string& choice, const std::string& what);
 
 /// Warns of the numbers that a paint hardly has.
 /// @throws InputError as warn()

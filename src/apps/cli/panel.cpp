@@ -195,7 +195,7 @@ ExitStatus run(const PanelOptions& options) {
                   {"seed", options.seed},
                   {"output", options.output},
                   {"total_s", watch.seconds()}});
-    return ExitStatus::ok;
+    return status_of(options, page.standard ? page.standard->verdict : std::nullopt);
 }
 
 }  // namespace

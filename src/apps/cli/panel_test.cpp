@@ -87,6 +87,18 @@ TEST_F(Panel, RefusesWhatHasNoComposition) {
     EXPECT_FALSE(exists("a.html"));
 }
 
+TEST_F(Panel, EndsWithFourBeyondTheTolerance) {
+    write("darker.csv", "geometry,L,a,b\n45as15,1,0,0\n45as45,1,0,0\n");
+    const std::string panel =
+        "panel gray.toml -o a.html --quality low --model microflake --versus darker.csv ";
+    const Outcome beyond = nacre(panel + "--tolerance 1");
+    EXPECT_EQ(beyond.status, 4) << beyond.err;
+    EXPECT_THAT(beyond.err, HasSubstr("does not pass: beyond the tolerance"));
+    EXPECT_TRUE(exists("a.html"));
+    EXPECT_EQ(nacre(panel + "--tolerance 1000").status, 0);
+    EXPECT_EQ(nacre(panel).status, 0);
+}
+
 TEST_F(Panel, MeasureDrawsPlots) {
     const Outcome outcome = nacre("measure gray.toml --plots curves -o gray.csv");
     EXPECT_EQ(outcome.status, 0) << outcome.err;

@@ -25,13 +25,14 @@ void add_tone_map(CLI::App& command, ToneMap& tone_map) {
     command
         .add_option("--exposure", tone_map.exposure_stops,
                     "Exposure of the PNG in stops; the EXR is not touched")
-        ->check(CLI::Range(-50.0, 50.0))
+        ->check(in_range(-50.0, 50.0))
         ->capture_default_str();
     command
-        .add_option("--gamut", tone_map.gamut,
-                    "Display of the PNG: rec709 (sRGB), display-p3 or rec2020, which have purer "
-                    "colours [rec709]")
-        ->transform(CLI::CheckedTransformer(kGamuts))
+        .add_option_function<std::string>(
+            "--gamut", [&tone_map](const std::string& name) { tone_map.gamut = kGamuts.at(name); },
+            "Display of the PNG: rec709 (sRGB), display-p3 or rec2020, which have purer "
+            "colours [rec709]")
+        ->check(CLI::IsMember(kGamuts))
         ->type_name("DISPLAY");
 }
 

@@ -23,6 +23,7 @@ namespace nacre::cli::testing {
 
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -428,6 +429,33 @@ TEST_F(Program, StudyOfFlakesWritesOnePage) {
 
 TEST_F(Program, FailuresWhileRunningEndWithThree) {
     EXPECT_EQ(nacre("film -o /dev/full").status, 3);
+}
+
+TEST_F(Program, PatchesOfAMeanAreRefusedByTheirOptions) {
+    write(
+        "facets.toml",
+        kMicrofacetRecipe +
+            std::string(
+                "[microfacet.facets]\ncount = 1000\ncone_deg = 3.0\nthickness_spread_nm = 10.0\n"));
+    const Outcome outcome = nacre(
+        "eval facets.toml --model special-effect --smooth-ndf --incident 45 --outgoing 0 "
+        "--at 0.5,0.5 --footprint 0.1");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("--at and --footprint"), Not(HasSubstr("--patch"))));
+}
+
+TEST_F(Program, ScenesNameTheirMeshFromTheirFolder) {
+    write("corners.bin", corners());
+    write("triangle.gltf", triangle("corners.bin"));
+    std::filesystem::create_directories(folder_ / "other" / "folder");
+    for (const std::string scene : {"x.toml", "other/x.toml", "other/folder/x.toml"}) {
+        ASSERT_EQ(nacre("scene triangle.gltf -o " + scene).status, 0);
+        const Outcome picture =
+            nacre("render " + scene + " --paint gray.toml --spp 1 --size 2x2 -q -o x.exr");
+        EXPECT_EQ(picture.status, 0) << picture.err;
+    }
+    EXPECT_THAT(contents(folder_ / "other/folder/x.toml"), HasSubstr("../../triangle.gltf"));
+    EXPECT_THAT(nacre("scene other/../triangle.gltf").out, HasSubstr("other/../triangle.gltf"));
 }
 
 }  // namespace

@@ -92,9 +92,11 @@ Scene scene_of(const RenderCommandOptions& options, Painted painted) {
 /// Refuses model options where every paint is a measured BRDF, which takes no model.
 void check_model(const RenderCommandOptions& options, const Scene& scene) {
     if (scene.paints().empty() || scene.shows_model()) return;
-    if (options.model.model_given) {
-        refuse_model(options.model.model, "every material of the scene " + options.scene);
-    }
+    const std::string all = "every material of the scene " + options.scene;
+    if (options.model.model_given) refuse_choice("--model = " + options.model.model, all);
+    if (options.render.sparkle) refuse_choice("--sparkle", all);
+    if (options.render.footprint_pixels != 0) refuse_choice("--footprint", all);
+    if (options.model.specimen != 0) refuse_choice("--specimen", all);
     const bsdf::Model model = parse_model_settings(options.model);
     if (model.makes_table()) {
         throw UsageError(

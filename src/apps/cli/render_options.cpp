@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "apps/cli/picture_output.h"
@@ -46,7 +47,7 @@ void add_render_options(CLI::App& command, RenderCommandOptions& options) {
                     fmt::format("{}: side of a patch that each sample shows, pixels, for "
                                 "experiments; 0: the samples share out what the pixel shows",
                                 fmt::join(sparkling_models(), ", ")))
-        ->check(CLI::Range(0.0, 1000.0))
+        ->check(in_range(0.0, 1000.0))
         ->capture_default_str();
     command.add_flag("--sparkle", options.render.sparkle,
                      "Keep the light of single flakes apart as well, in the EXR's channels "
@@ -55,12 +56,12 @@ void add_render_options(CLI::App& command, RenderCommandOptions& options) {
         .add_option("--spp", options.spp,
                     fmt::format("Samples per pixel [{}]; with --noise at most [{}]",
                                 options.render.samples_per_pixel, kMaxSamplesForNoise))
-        ->check(CLI::Range(1, 1 << 24));
+        ->check(in_range(1, 1 << 24));
     command
         .add_option("--noise", options.noise,
                     "Take as many samples as this noise needs: the standard error of a pixel over "
                     "the mean luminance, as 0.01")
-        ->check(CLI::Range(render::kNoiseRange.lo, render::kNoiseRange.hi));
+        ->check(in_range(render::kNoiseRange.lo, render::kNoiseRange.hi));
     command.add_option("--frames", options.frames,
                        "Render frames FIRST:LAST, as 0:35, to files numbered out.0000.exr ...");
     command
@@ -71,22 +72,23 @@ void add_render_options(CLI::App& command, RenderCommandOptions& options) {
         .add_option("--step", options.step_deg,
                     "With --frames: deg from frame to frame; frame 0 is the scene as it is [a "
                     "whole turn in all frames]")
-        ->check(CLI::Range(-360.0, 360.0));
+        ->check(in_range(-360.0, 360.0));
     command
         .add_option("--video", options.video.path,
                     "With --frames: a video of them besides, by ffmpeg: .mp4, .mkv, .webm, .gif")
         ->type_name("FILE");
     command.add_option("--fps", options.video.frames_per_s, "Frames a second of the video")
-        ->check(CLI::Range(0.1, 240.0))
+        ->check(in_range(0.1, 240.0))
+        ->each([&options](const std::string&) { options.fps_given = true; })
         ->capture_default_str();
     command.add_option("--size", options.size, "Pixels as WIDTHxHEIGHT")->capture_default_str();
     command.add_option("--depth", options.render.max_depth, "Surface reflections along a path")
-        ->check(CLI::Range(1, 1000))
+        ->check(in_range(1, 1000))
         ->capture_default_str();
     command
         .add_option("--spectral-bins", options.render.spectral_bins,
                     "Spectral channels over 400 to 700 nm in the EXR; 0: none")
-        ->check(CLI::Range(0, 300))
+        ->check(in_range(0, 300))
         ->capture_default_str();
     command
         .add_option("--shard", options.shard,
@@ -120,6 +122,9 @@ void check_choices(const RenderCommandOptions& options) {
     if (options.frames.empty() && !options.video.path.empty()) {
         throw UsageError("--video belongs to --frames");
     }
+    if (options.fps_given && options.video.path.empty()) {
+        throw UsageError("--fps belongs to --video");
+    }
     if (!options.frames.empty() && !options.turntable) {
         throw UsageError("--frames needs --turntable, which says what turns");
     }
@@ -135,8 +140,10 @@ void check_choices(const RenderCommandOptions& options) {
     if (options.shard && options.tone_map != io::ToneMap{}) {
         throw UsageError("--exposure and --gamut belong to nacre merge where there is --shard");
     }
-    if (options.render.sparkle && !parse_model(options.model).can.sparkle) {
-        throw UsageError(fmt::format("--sparkle: the model {} shows no single flakes; must be {}",
+    for (const auto& [option, given] : {std::pair{"--sparkle", options.render.sparkle},
+                                        {"--footprint", options.render.footprint_pixels != 0}}) {
+        if (!given || parse_model(options.model).can.sparkle) continue;
+        throw UsageError(fmt::format("{}: the model {} shows no single flakes; must be {}", option,
                                      options.model.model, fmt::join(sparkling_models(), " or ")));
     }
 }

@@ -27,6 +27,7 @@ struct RenderCommandOptions : CommonOptions {
     std::optional<std::string> turntable;
     std::optional<double> step_deg;
     VideoOptions video;
+    bool fps_given = false;
     std::optional<std::string> shard;
     std::optional<Share> share;  // that it says
 };

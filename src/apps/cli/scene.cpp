@@ -27,6 +27,20 @@ bool names_mesh(const std::string& name) {
            extension == ".gltf" || extension == ".glb";
 }
 
+/// The name of a file in a scene that is written to `output`, in whose folder names start.
+std::filesystem::path name_in_scene(const std::filesystem::path& file, const std::string& output) {
+    namespace fs = std::filesystem;
+    const bool has_folder = !output.empty() && !is_stream(output) && !is_standard_output(output);
+    if (!has_folder || file.is_absolute()) return file;
+    const auto folder_of = [](const fs::path& path) {
+        return path.has_parent_path() ? path.parent_path() : fs::path(".");
+    };
+    std::error_code ec;
+    const fs::path way = fs::relative(folder_of(file), folder_of(output), ec);
+    if (ec || way.empty()) return fs::absolute(file);
+    return (way / file.filename()).lexically_normal();
+}
+
 std::string text_of(const render::SceneDescription& scene, const std::string& heading) {
     return fmt::format("# {}\n\n{}", heading,
                        io::write_described(paint::Described::to_inspect(scene)));
@@ -35,8 +49,13 @@ std::string text_of(const render::SceneDescription& scene, const std::string& he
 std::string scene_text(const SceneOptions& options) {
     const std::string& name = options.name;
     if (names_mesh(name)) {
-        const render::SceneDescription scene = render::scene_of_mesh(name, options.mesh);
+        render::SceneDescription scene = render::scene_of_mesh(name, options.mesh);
         for (const std::string& note : scene.notes) warn(options, note);
+        for (render::Shape& shape : scene.shapes) {
+            if (auto* mesh = std::get_if<render::MeshFile>(&shape.geometry)) {
+                mesh->path = name_in_scene(mesh->path, options.output);
+            }
+        }
         return text_of(scene, "A scene of the mesh " + name + ", with every default written out.");
     }
     if (!options.mesh.painted.empty() || !options.mesh.camera.empty()) {
@@ -70,7 +89,7 @@ Command add_scene(CLI::App& program) {
         "  nacre scene sphere > my.toml\n"
         "  nacre scene car.glb --painted body -o my.toml\n"
         "  nacre render my.toml --paint paints/ruby.toml -o ruby.exr");
-    return {scene, [options] { return files_of(*options, {}); },
+    return {scene, [options] { return files_of(*options, {options->name}); },
             [options] {
                 emit(*options, scene_text(*options));
                 return ExitStatus::ok;

@@ -110,6 +110,19 @@ TEST_F(Program, SetRefusesWhatTheRecipeCannotBe) {
     }
 }
 
+TEST_F(Program, SetTakesQuotedFilesAndTables) {
+    write("glass.csv", "wavelength_nm,n,k\n380,1.45,0\n780,1.46,0\n");
+    std::filesystem::create_directory(folder_ / "elsewhere");
+    write("elsewhere/gray.toml", contents(folder_ / "gray.toml"));
+    const std::string elsewhere = "measure elsewhere/gray.toml -q --set ";
+    const std::string glass = nacre(elsewhere + "ior=glass.csv").out;
+    EXPECT_FALSE(glass.empty());
+    EXPECT_EQ(nacre(elsewhere + "'ior=\"glass.csv\"'").out, glass);
+    const std::string coat = nacre(elsewhere + "clearcoat.thickness_um=10").out;
+    EXPECT_FALSE(coat.empty());
+    EXPECT_EQ(nacre(elsewhere + "'clearcoat={ thickness_um = 10 }'").out, coat);
+}
+
 }  // namespace
 
 }  // namespace nacre::cli::testing

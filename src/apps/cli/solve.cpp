@@ -95,22 +95,22 @@ Command add_solve(CLI::App& program) {
     solve
         ->add_option("--nodes", options->settings.exit_nodes,
                      "Directions that leave the coat, a multiple of 4; 0: from the recipe")
-        ->check(CLI::Range(0, solver::SolverSettings::kMaxNodes))
+        ->check(in_range(0, solver::SolverSettings::kMaxNodes))
         ->capture_default_str();
     solve
         ->add_option("--inner-nodes", options->settings.inner_nodes,
                      "Directions beyond the critical angle, a multiple of 4; 0: from the recipe")
-        ->check(CLI::Range(0, solver::SolverSettings::kMaxNodes))
+        ->check(in_range(0, solver::SolverSettings::kMaxNodes))
         ->capture_default_str();
     solve
         ->add_option("--orders", options->settings.max_orders,
                      "Azimuthal Fourier orders at most; 0: from the recipe")
-        ->check(CLI::Range(0, solver::SolverSettings::kMaxOrders))
+        ->check(in_range(0, solver::SolverSettings::kMaxOrders))
         ->capture_default_str();
     solve
         ->add_option("--tolerance", options->settings.tolerance,
                      "Share of the peak below which the Fourier series may end")
-        ->check(CLI::Range(1e-9, 0.1))
+        ->check(in_range(1e-9, 0.1))
         ->capture_default_str();
     add_solution_options(*solve, options->model);
     add_input_options(*solve, *options);

@@ -169,6 +169,16 @@ std::vector<double> parse_lamps(const SparkleOptions& options) {
     return lamps_deg;
 }
 
+/// Says by which options the camera has too few pixels or too many.
+void check_field(const measure::SparkleCamera& camera) {
+    const double pixels = camera.field_mm * 1e3 / camera.pixel_um;
+    if (!(camera.pixel_um > 0) || measure::kPixelsAcross.contains(pixels)) return;
+    throw InputError(
+        fmt::format("--field = {}: field of the camera in pixels = {} (of --pixel = {}): must be "
+                    "a number in {}",
+                    camera.field_mm, pixels, camera.pixel_um, measure::kPixelsAcross.text()));
+}
+
 CommandFiles files(const SparkleOptions& options) {
     std::set<std::string> pictures = {"diffuse"};
     for (double lamp_deg : parse_lamps(options)) pictures.insert(lamp_name(lamp_deg));
@@ -193,7 +203,12 @@ struct Seen {
 
 Seen see(const SparkleOptions& options, const Paint& paint, const bsdf::Model& model) {
     const Stopwatch watch;
-    refuse_measured_brdf(paint);
+    if (paint.kind() == Kind::measured_brdf) {
+        throw InputError(fmt::format(
+            "{}: holds a measured BRDF, which has no flakes; a recipe or a solved paint is needed "
+            "here",
+            paint.file()));
+    }
     const auto look = [&] {
         ProgressBar bar("solve", options.quiet);
         return paint.appearance(model, {}, bar.callback());
@@ -304,6 +319,7 @@ ExitStatus run(SparkleOptions options) {
     const bsdf::Model model = parse_sparkling_model(options);
     options.camera.seed = options.seed;
     options.camera.lamps_deg = parse_lamps(options);
+    check_field(options.camera);
     measure::check(options.camera);
     measure::check(options.viewing);
     const ThreadLimit threads(options.threads);

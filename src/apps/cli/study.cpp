@@ -176,15 +176,15 @@ Command add_study(CLI::App& program) {
                      "--> and <!-- end: NAME -->, are written from the results (may be repeated)")
         ->type_name("FILE");
     study->add_option("--spp", options->samples, "mir-2022: samples per pixel")
-        ->check(CLI::Range(8, 1 << 20))
+        ->check(in_range(8, 1 << 20))
         ->capture_default_str();
     study->add_option("--size", options->size, "mir-2022: pixels a side")
-        ->check(CLI::Range(16, 4096))
+        ->check(in_range(16, 4096))
         ->capture_default_str();
     study->add_option("--table", options->tables, "mir-2022: only this table (may be repeated)")
-        ->check(CLI::Range(1, 4));
+        ->check(in_range(1, 4));
     study->add_option("--figure", options->figures, "mir-2022: only this figure (may be repeated)")
-        ->check(CLI::Range(2, 4));
+        ->check(in_range(2, 4));
     study
         ->add_option("--part", options->parts,
                      "mir-2022: only agreement, antialiasing, nacre or quality (may be repeated)")

@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-
-#include "apps/cli/options.h"
+#include <algorithm>
 
 namespace nacre::cli {
 
@@ -43,6 +42,15 @@ std::optional<measure::Tolerance> parse_tolerance(const ToleranceRequest& reques
         if (!named) tolerance.limit = limit;
     }
     return tolerance;
+}
+
+ExitStatus status_of(const CommonOptions& options, const std::optional<measure::Verdict>& verdict) {
+    if (!verdict || verdict->passes()) return ExitStatus::ok;
+    const auto failed = std::ranges::count_if(
+        verdict->angles, [](const measure::AngleVerdict& angle) { return !angle.passes(); });
+    say(options, fmt::format("does not pass: beyond the tolerance ({}) at {} of {} angles",
+                             verdict->tolerance.formula.name(), failed, verdict->angles.size()));
+    return ExitStatus::comparison_failed;
 }
 
 }  // namespace nacre::cli

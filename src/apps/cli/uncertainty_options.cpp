@@ -30,8 +30,14 @@ std::vector<paint::ParameterDeviation> parse_deviations(const std::vector<std::s
                 "--uncertainty = {}: is not KEY=SD, as in 'layer[0].thickness_um=5%'", text));
         }
         try {
-            deviations.push_back(
-                paint::parse_deviation(text.substr(0, equals), text.substr(equals + 1)));
+            paint::ParameterDeviation deviation =
+                paint::parse_deviation(text.substr(0, equals), text.substr(equals + 1));
+            if (std::ranges::find(deviations, deviation.key, &paint::ParameterDeviation::key) !=
+                deviations.end()) {
+                throw UsageError(
+                    fmt::format("--uncertainty = {}: {} appears twice", text, deviation.key));
+            }
+            deviations.push_back(std::move(deviation));
         } catch (const DomainError& error) {
             throw UsageError(fmt::format("--uncertainty: {}", error.what()));
         }
@@ -208,7 +214,7 @@ void add_uncertainty_options(CLI::App& command, UncertaintyRequest& request) {
                     "Recipes to draw, in place of first order")
         ->group("Uncertainty")
         ->check(
-            CLI::Range(fit::UncertaintyOptions::kMinSamples, fit::UncertaintyOptions::kMaxSamples));
+            in_range(fit::UncertaintyOptions::kMinSamples, fit::UncertaintyOptions::kMaxSamples));
     command.add_flag("--no-uncertainty", request.none, "Leave out the recipe's [uncertainty]")
         ->group("Uncertainty");
 }
@@ -244,7 +250,7 @@ std::optional<Uncertainty> uncertainty_of(const CommonOptions& options,
         found = paint.measure_uncertainty(geometries, settings, wanted, bar.callback());
     } catch (const SettingError& error) {
         // Other settings were understood before.
-        const bool own = error.setting() == "correlation";
+        const bool own = error.setting() == "correlation" || error.setting() == "uncertainty";
         throw InputError(
             fmt::format("{}: {}--{}", paint.file(), own ? "" : "--uncertainty: ", error.what()));
     } catch (const DomainError& error) {

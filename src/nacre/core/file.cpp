@@ -259,6 +259,23 @@ std::optional<int> named_descriptor(const std::string& name) {
     return std::nullopt;
 }
 
+/// A regular file that this process has open is written through its own descriptor: whoever else
+/// writes there goes on behind the bytes, and not over them.
+int open_to_append(const fs::path& path) {
+    const std::string name = path.lexically_normal().string();
+    const std::optional<int> open = name == "/dev/stdout"   ? STDOUT_FILENO
+                                    : name == "/dev/stderr" ? STDERR_FILENO
+                                                            : named_descriptor(name);
+    struct stat status {};
+    if (open && ::fstat(*open, &status) == 0 && S_ISREG(status.st_mode) &&
+        (::fcntl(*open, F_GETFL) & O_ACCMODE) != O_RDONLY) {
+        const int fd = ::fcntl(*open, F_DUPFD_CLOEXEC, 0);
+        if (fd >= 0 && ::lseek(fd, 0, SEEK_END) >= 0) return fd;
+        if (fd >= 0) ::close(fd);
+    }
+    return ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+}
+
 /// Why a file of this mode is not read; empty if it is.
 std::string unreadable_kind(mode_t mode, bool stream) {
     if (S_ISREG(mode)) return {};
@@ -350,7 +367,7 @@ void AtomicFile::flush() {
 
 void AtomicFile::append_to_target() {
     std::string bytes;
-    const Descriptor to(::open(target_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+    const Descriptor to(open_to_append(target_));
     if (!to.is_open() || ::lseek(temporary_, 0, SEEK_SET) != 0) fail(path_, errno);
     int error_number = read_all(temporary_, UINTMAX_MAX - (1 << 16), bytes);
     if (!error_number) error_number = write_all(to.get(), bytes);

@@ -33,6 +33,8 @@ class NamedFiles {
         try {
             if (extension == ".gltf" || extension == ".glb") {
                 add_from_gltf(file);
+            } else if (extension == ".obj" || extension == ".mtl") {
+                add_from_lines(file, references, depth);
             } else {
                 const TomlDocument document(read_file(file, kMaxTextBytes), file.string(),
                                             references);
@@ -69,6 +71,23 @@ class NamedFiles {
             for (const auto& [key, value] : *table) add_from_node(value, references, depth);
         } else if (const auto* array = node.as_array()) {
             for (const toml::node& value : *array) add_from_node(value, references, depth);
+        }
+    }
+
+    /// Of an OBJ, whose first lines name its materials, and of these, which name pictures.
+    void add_from_lines(const fs::path& file, const References& references, int depth) {
+        constexpr int kMaxLines = 1000;
+        const bool is_obj = lowercase(file.extension().string()) == ".obj";
+        std::ifstream in(file);
+        std::string line;
+        for (int i = 0; i < kMaxLines && std::getline(in, line); ++i) {
+            // KEY [OPTIONS] NAME; names may have spaces.
+            const std::string_view text = trimmed(line);
+            if (text.starts_with("newmtl ") || (is_obj && !text.starts_with("mtllib "))) continue;
+            for (std::size_t at = text.find(' '); at != std::string_view::npos;
+                 at = text.find(' ', at + 1)) {
+                add(std::string(trimmed(text.substr(at))), references, depth);
+            }
         }
     }
 

@@ -89,5 +89,14 @@ TEST_F(NamedFiles, OutsideOfTheFolderOfAnUntrustedFileAreLeftOut) {
                 UnorderedElementsAre(folder_ / "below/paint.toml", folder_ / "below/own.csv"));
 }
 
+TEST_F(NamedFiles, AnObjNamesItsMaterialsAndTheirPictures) {
+    write("ball.obj", "# a ball\nmtllib ball one.mtl\nv 0 0 0\nusemtl body\n");
+    write("ball one.mtl", "newmtl body\nKd 1 1 1\nmap_Kd -s 1 1 1 wood.png\n");
+    write("wood.png", "any");
+    write("body", "any");
+    EXPECT_THAT(named_by("ball.obj"),
+                UnorderedElementsAre(folder_ / "ball one.mtl", folder_ / "wood.png"));
+}
+
 }  // namespace
 }  // namespace nacre::io

@@ -137,11 +137,10 @@ std::vector<std::string> keys_of_setting(const paint::Recipe& recipe, const std:
         const std::string& table = std::get<std::string>(path.at(0));
         const bool is_list = std::ranges::any_of(
             keys, [&](const std::string& key) { return key.starts_with(table + "["); });
-        // Of tables that the recipe may have: its reader knows their keys.
-        if (path.size() > 1 && std::ranges::find(tables, table) != tables.end() &&
-            is_list == std::holds_alternative<std::size_t>(path[1])) {
-            return {pattern};
-        }
+        // Of tables that the recipe may have: its reader knows their keys. Or such a table itself.
+        const bool fits =
+            path.size() == 1 || is_list == std::holds_alternative<std::size_t>(path[1]);
+        if (fits && std::ranges::find(tables, table) != tables.end()) return {pattern};
     } catch (const DomainError&) {  // is no path either
     }
     std::vector<std::string> ends = keys;

@@ -212,6 +212,19 @@ TEST(RecipeSettings, TakeNumbersAndTextsByTheEndsOfTheirKeys) {
     EXPECT_EQ(file.bounds.size(), 1u);
 }
 
+TEST(RecipeSettings, AddTables) {
+    const RecipeFile file =
+        with_settings(parse_file(kMine), {{"clearcoat", "{ thickness_um = 10, roughness = 0.2 }"}});
+    ASSERT_TRUE(file.recipe.clearcoat);
+    EXPECT_EQ(file.recipe.clearcoat->thickness_um, 10);
+    EXPECT_EQ(file.recipe.clearcoat->roughness, 0.2);
+    // One that stands there on lines of its own is not written over.
+    EXPECT_THAT(message_of<DomainError>([&] { text_after("layer", "[{ thickness_um = 10 }]"); }),
+                HasSubstr("over several lines"));
+    EXPECT_THAT(message_of<DomainError>([&] { text_after("clearcoat", "10"); }),
+                HasSubstr("clearcoat"));
+}
+
 TEST(RecipeSettings, ComplaintsNameKeyValueAndRange) {
     const auto refused = [](const std::string& key, const std::string& value) {
         return message_of<DomainError>([&] { text_after(key, value); });

@@ -22,7 +22,6 @@ namespace nacre::measure {
 namespace {
 
 constexpr Vec3f kView{0, 0, 1};
-constexpr int kMinPixels = 32, kMaxPixels = 4096;
 constexpr double kMaxTotalPixels = 6e7;  // 720 MB
 // Spacing of directions to a lamp: a quarter of the radius of the lobe of a flake of 100 um.
 constexpr double kLampSpacing_deg = 0.1;
@@ -272,7 +271,7 @@ int pixels_across(const SparkleCamera& camera) {
 
 void check(const SparkleCamera& camera) {
     require_in_range(camera.pixel_um, 1, 1000, "pixel in um");
-    require_in_range(camera.field_mm * 1e3 / camera.pixel_um, kMinPixels, kMaxPixels,
+    require_in_range(camera.field_mm * 1e3 / camera.pixel_um, kPixelsAcross.lo, kPixelsAcross.hi,
                      "field of the camera in pixels");
     const double pictures =
         static_cast<double>(camera.lamps_deg.size()) + (camera.diffuse_samples > 0 ? 2 : 0);

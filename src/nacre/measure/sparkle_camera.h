@@ -5,9 +5,13 @@
 
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/core/progress.h"
+#include "nacre/core/text.h"
 #include "nacre/measure/panel_picture.h"
 
 namespace nacre::measure {
+
+/// How many pixels of a SparkleCamera the side of its field may be.
+inline constexpr Range kPixelsAcross{32, 4096, "pixels"};
 
 /// A telecentric camera that looks along the normal of a flat panel, and the lights around it.
 struct SparkleCamera {
