@@ -77,7 +77,7 @@ std::shared_ptr<const Medians> normal_medians(double lo) {
 }  // namespace
 
 FlakeSizes::FlakeSizes(double mean_um, double spread_um) {
-    require_in_range(mean_um, 1e-3, 1e6, "diameter_um of the flakes");
+    require_in_range(mean_um, kFlakeSize_um.lo, kFlakeSize_um.hi, "diameter_um of the flakes");
     require_in_range(spread_um, 0, mean_um, "diameter_spread_um of the flakes");
     constexpr double kMin = 0.25;
     std::shared_ptr<const Medians> medians;
@@ -94,7 +94,8 @@ FlakeSizes::FlakeSizes(double mean_um, double spread_um) {
 FlakeSizes::FlakeSizes(const std::array<double, kSizes>& diameters_um) {
     double squares = 0;
     for (int i = 0; i < kSizes; ++i) {
-        require_in_range(diameters_um[i], 1e-3, 1e6, "diameter of a flake in um");
+        require_in_range(diameters_um[i], kFlakeSize_um.lo, kFlakeSize_um.hi,
+                         "diameter of a flake in um");
         diameters_um_[i] = static_cast<float>(diameters_um[i]);
         squares += double{diameters_um_[i]} * diameters_um_[i];
     }
@@ -114,6 +115,11 @@ DiameterQuantiles quantiles_of(const StatedQuantiles& stated) {
     if (const auto* all = std::get_if<DiameterQuantiles>(&stated)) return *all;
     const double d50_um = std::get<MedianDiameter>(stated).d50_um;
     return {d50_um / kTypicalDecileRatio, d50_um, d50_um * kTypicalDecileRatio};
+}
+
+std::array<double, 2> size_ends_um(const DiameterQuantiles& quantiles) {
+    const QuantileLaw law(quantiles);
+    return {quantiles.d50_um * std::exp(law.lo()), quantiles.d50_um * std::exp(law.hi())};
 }
 
 std::vector<SizePart> size_parts(const DiameterQuantiles& quantiles) {
@@ -161,8 +167,7 @@ SizePart without_rim(const FlakeSizes& sizes, double rim_um) {
     for (int i = 0; i < FlakeSizes::kSizes; ++i) {
         const double d = sizes.diameter_um(i), inner = d - 2 * rim_um;
         before += d * d;
-        constexpr double kSmallest_um = 1e-3;
-        if (inner < kSmallest_um) continue;
+        if (inner < kFlakeSize_um.lo) continue;
         after += inner * inner;
         left.push_back(inner);
     }

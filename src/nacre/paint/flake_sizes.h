@@ -6,7 +6,12 @@
 #include <variant>
 #include <vector>
 
+#include "nacre/core/error.h"
+
 namespace nacre::paint {
+
+/// What a flake's diameter may be.
+inline constexpr Range kFlakeSize_um{1e-3, 1e6, "um"};
 
 /// Diameters of the flakes of a population, as kSizes equally probable ones.
 class FlakeSizes {
@@ -16,9 +21,9 @@ class FlakeSizes {
     /// A normal distribution, cut off at three deviations and at a quarter of its mean and
     /// renormalised, as the medians of kSizes equally probable parts.
     /// @param mean_um, spread_um  mean and standard deviation before it is cut
-    /// @throws DomainError unless 0 < mean_um and 0 <= spread_um <= mean_um
+    /// @throws DomainError unless mean_um is in kFlakeSize_um and 0 <= spread_um <= mean_um
     FlakeSizes(double mean_um, double spread_um);
-    /// @throws DomainError unless all are above 0
+    /// @throws DomainError unless all are in kFlakeSize_um
     explicit FlakeSizes(const std::array<double, kSizes>& diameters_um);
 
     /// @param size  in [0, kSizes)
@@ -82,9 +87,13 @@ inline constexpr double kQuantilesCut = 3;
 /// d10, d50 and d90 of the parts together are those of the law within this fraction.
 inline constexpr double kSizePartError = 0.02;
 
+/// The smallest and the largest diameter, where the law is cut off.
+/// @param quantiles  d10 < d50 < d90
+std::array<double, 2> size_ends_um(const DiameterQuantiles& quantiles);
+
 /// The law in parts by size, from the smallest up. By number nearly all flakes are fines that have
 /// hardly any area; in a part that spans a factor of 2.5 or less every size is drawn often enough.
-/// @throws DomainError unless 0 < d10 < d50 < d90
+/// @throws DomainError unless 0 < d10 < d50 < d90, and the flakes are in kFlakeSize_um
 std::vector<SizePart> size_parts(const DiameterQuantiles& quantiles);
 
 /// The discs that remain where a rim of this width is taken off, by area of all flakes; those that

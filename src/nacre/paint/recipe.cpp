@@ -57,6 +57,21 @@ class RecipeCheck final : public RangeCheck {
     const std::vector<double>& wavelengths_nm_;
 };
 
+/// Whether the parts of a law by quantiles are flakes that FlakeSizes knows.
+void check_range(const std::string& path, const DiameterQuantiles& quantiles) {
+    const auto [least_um, most_um] = size_ends_um(quantiles);
+    if (kFlakeSize_um.contains(least_um) && kFlakeSize_um.contains(most_um)) return;
+    try {
+        size_parts(quantiles);  // whose parts are of means, within the ends
+    } catch (const DomainError&) {
+        throw DomainError(fmt::format(
+            "{}d50_um = {}: with d10_um = {} and d90_um = {} flakes are of {:.3g} to {:.3g} um; "
+            "must be in {}",
+            path, quantiles.d50_um, quantiles.d10_um, quantiles.d90_um, least_um, most_um,
+            kFlakeSize_um.text()));
+    }
+}
+
 void check_sizes(const std::string& path, const FlakeSpecies& species) {
     double middle_um = species.diameter_um;
     const char* middle_key = "diameter_um";
@@ -69,6 +84,10 @@ void check_sizes(const std::string& path, const FlakeSpecies& species) {
         }
         middle_um = d50;
         middle_key = "d50_um";
+        check_range(path, quantiles_of(*species.quantiles));
+    } else if (!(species.diameter_spread_um <= species.diameter_um)) {
+        throw DomainError(fmt::format("{}diameter_spread_um = {}: must be at most diameter_um = {}",
+                                      path, species.diameter_spread_um, species.diameter_um));
     }
     if (!(2 * species.edge_um < middle_um)) {
         throw DomainError(fmt::format("{}edge_um = {}: must be below half of {} = {}", path,

@@ -12,7 +12,7 @@ constexpr std::size_t kMaxSpeciesPerLayer = 64;  // of flakes, and as many pigme
 
 constexpr Range kPerMillimetre{0, 1e9, "1/mm"};
 constexpr Range kFraction{0, 1};
-constexpr Range kFlakeDiameter{0, 1e4, "um", true};
+constexpr Range kFlakeDiameter{1e-3, 1e4, "um"};
 
 }  // namespace
 
@@ -205,6 +205,7 @@ void describe(Visitor& visit, FlakeSpecies& species) {
         visit({.key = kSpread,
                .range = {0, 1e4, "um"},
                .meaning = "its standard deviation",
+               .also = "at most `diameter_um`",
                .spread_of = kMean},
               species.diameter_spread_um);
     }

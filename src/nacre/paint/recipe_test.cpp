@@ -158,6 +158,17 @@ TEST(ValidateRecipe, NamesKeyValueAndRangeOfWhateverIsWrong) {
              std::get<optics::Platelet>(flakes(r).body).coats[0].spread.standard_deviation_nm = -1;
          },
          "layer[0].flakes[0].coats[0].spread_nm = -1", "nm"},
+        {[&](Recipe& r) { flakes(r).diameter_um = 0.0005; },
+         "layer[0].flakes[0].diameter_um = 0.0005", "[0.001, 10000] um"},
+        {[&](Recipe& r) {
+             flakes(r).diameter_um = 18;
+             flakes(r).diameter_spread_um = 19;
+         },
+         "layer[0].flakes[0].diameter_spread_um = 19", "at most diameter_um = 18"},
+        {[&](Recipe& r) {
+             flakes(r).quantiles = DiameterQuantiles{0.01, 1, 2};
+         },
+         "layer[0].flakes[0].d50_um = 1: with d10_um = 0.01 and d90_um = 2", "[0.001, 1000000] um"},
         {[](Recipe& r) { r.clearcoat = Clearcoat{.thickness_um = 45, .thickness_spread_um = 16}; },
          "clearcoat.thickness_spread_um = 16", "[0, 15] um, at most a third of thickness_um = 45"},
         {[](Recipe& r) { r.microfacet.emplace().alpha = 0; }, "microfacet.alpha = 0", "[0.001, 1]"},
