@@ -30,8 +30,9 @@ namespace {
 /// Two wavelengths closer than this are the same one, written in two ways.
 constexpr double kSameWavelength_nm = 1e-6;
 
-/// The azimuthal series may end at this multiple of its tolerance without a warning: the orders
-/// that follow the last ones are smaller than they are.
+/// The azimuthal series may end at this multiple of its tolerance without a warning: azimuthal_tail
+/// is an upper estimate. It adds the largest values of the omitted orders as if all of them were at
+/// one pair of directions, at one wavelength and of one sign.
 constexpr double kTailOverTolerance = 10;
 
 const char* name_of(Kind kind) {
@@ -118,7 +119,7 @@ std::vector<SolverWarning> solver_warnings(const solver::SolvedPaint& paint,
     if (report.unresolved_scattering > solver::kAcceptedUnresolved) {
         warnings.push_back(
             {SolverWarning::What::scattering, settings.exit_nodes || settings.inner_nodes,
-             fmt::format("{}: {} + {} nodes miss {:.2g} % of the scattering in some direction "
+             fmt::format("{}: {} + {} nodes miss {:.2g} % of the extinction in some direction "
                          "(unresolved_scattering; up to {:g} % does no harm), so that its "
                          "multiple scattering may be off by a fraction of that",
                          file, report.exit_nodes, report.inner_nodes,

@@ -27,10 +27,14 @@ struct SolverSettings {
 /// The resolution that was used, and the solver's estimates of its own errors.
 struct SolverReport {
     int exit_nodes = 0, inner_nodes = 0, orders = 0;
-    /// Largest fraction by which the quadrature misses the scattering cross section of an exit
-    /// node; extinction is changed by as much, so that no energy is lost.
+    /// Largest scattering that the quadrature misses or adds at an exit node, over the extinction
+    /// there; extinction is changed by as much, so that no energy is lost. Under a rough interface
+    /// at least ten times the interface's asymmetry, the error of reciprocity of its own
+    /// quadratures (RoughInterfaceOperators::asymmetry()).
     double unresolved_scattering = 0;
-    /// Size of the last azimuthal orders over the peak: the truncation error of the series.
+    /// Estimate of the truncation error of the azimuthal series, over the peak: the sum of the
+    /// largest values of all omitted orders, if they fall on as the last ones that were solved
+    /// fell; that of the last ones themselves where these did not fall.
     double azimuthal_tail = 0;
 
     friend bool operator==(const SolverReport&, const SolverReport&) = default;
