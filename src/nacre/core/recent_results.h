@@ -25,22 +25,19 @@ class RecentResults {
 
     /// The value kept for this key, else make().
     /// @param make  () -> Value, the same for equal keys. It is not locked meanwhile, so that two
-    ///              threads may make the same. What it throws is passed on, and nothing is kept.
+    ///              threads may make the same, of which one is kept. What it throws is passed on,
+    ///              and nothing is kept.
     template <class Make>
     std::shared_ptr<const Value> get(const Key& key, const Make& make) {
         {
             const std::scoped_lock lock(mutex_);
-            const auto found = std::find_if(entries_.begin(), entries_.end(),
-                                            [&](const Entry& entry) { return entry.key == key; });
-            if (found != entries_.end()) {
-                entries_.splice(entries_.begin(), entries_, found);
-                return found->value;
-            }
+            if (auto found = find(key)) return found;
         }
         auto value = std::make_shared<const Value>(make());
         const std::size_t size = size_ ? size_(*value) : 1;
         const std::scoped_lock lock(mutex_);
         ++made_;
+        if (auto found = find(key)) return found;  // made by another thread meanwhile
         if (size > capacity_) return value;
         entries_.push_front({key, value, size});
         for (used_ += size; used_ > capacity_; entries_.pop_back()) used_ -= entries_.back().size;
@@ -59,6 +56,15 @@ class RecentResults {
         std::shared_ptr<const Value> value;
         std::size_t size;
     };
+
+    // The value kept for a key, which is the last used one then; null if there is none.
+    std::shared_ptr<const Value> find(const Key& key) {
+        const auto found = std::find_if(entries_.begin(), entries_.end(),
+                                        [&](const Entry& entry) { return entry.key == key; });
+        if (found == entries_.end()) return nullptr;
+        entries_.splice(entries_.begin(), entries_, found);
+        return found->value;
+    }
 
     std::size_t capacity_;
     Size size_;

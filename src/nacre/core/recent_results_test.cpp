@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <barrier>
+#include <memory>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 namespace nacre {
 namespace {
@@ -38,6 +41,25 @@ TEST(RecentResults, TakeNoMoreThanTheirCapacity) {
     EXPECT_EQ(ask(9), 9u);  // in place of both
     EXPECT_EQ(ask(9) + ask(4), 13u);
     EXPECT_EQ(words.made(), 6u);
+}
+
+TEST(RecentResults, AreKeptOnceThoughTwoThreadsMakeTheSame) {
+    RecentResults<int, int> results(4);
+    std::barrier both(2);
+    std::shared_ptr<const int> here, there;
+    const auto ask = [&](std::shared_ptr<const int>& found) {
+        found = results.get(1, [&] {
+            both.arrive_and_wait();
+            return 7;
+        });
+    };
+    std::thread other([&] { ask(there); });
+    ask(here);
+    other.join();
+    EXPECT_EQ(results.made(), 2u);
+    EXPECT_EQ(*here, 7);
+    EXPECT_EQ(here, there);
+    EXPECT_EQ(results.get(1, [] { return 8; }), here);
 }
 
 TEST(RecentResults, KeepNothingOfWhatThrows) {
