@@ -18,6 +18,7 @@
 #include "nacre/bsdf/models/leaning_tables.h"
 #include "nacre/bsdf/models/microflake.h"
 #include "nacre/bsdf/models/ray.h"
+#include "nacre/bsdf/paint_interface.h"
 #include "nacre/bsdf/reflection_warp.h"
 #include "nacre/bsdf/smooth_table.h"
 #include "nacre/bsdf/wavelength_lanes.h"
@@ -76,11 +77,7 @@ std::optional<Vec2f> flake_lean(const solver::SolvedPaint& paint);
 std::optional<sparkle::CoatThickness> coat_thickness(const solver::SolvedPaint& paint,
                                                      std::uint64_t specimen);
 
-/// Whether the interface is rough.
-/// @throws Error if it is at some wavelengths only, as the binder's index is 1 at others
-bool has_rough_interface(const solver::SolvedPaint& paint);
-
-/// Of the binder, over the paint's wavelengths.
+/// mean_index() in single precision.
 float mean_ior(const solver::PaintMedium& medium);
 
 // The micro-flake model at eight wavelengths: what depends on wavelength is gathered once, what a

@@ -145,28 +145,7 @@ std::unique_ptr<const BoundBsdf> Microflake::bind(const Wavelengths& wavelengths
     return std::make_unique<const BoundMicroflake>(tables_, wavelengths_nm);
 }
 
-namespace {
-
-double mean(const std::vector<double>& v) {
-    double sum = 0;
-    for (double x : v) sum += x;
-    return sum / static_cast<double>(v.size());
-}
-
-}  // namespace
-
-bool has_rough_interface(const solver::SolvedPaint& paint) {
-    int rough = 0;
-    for (int w = 0; w < paint.medium.wavelength_count(); ++w) rough += paint.is_rough(w);
-    if (rough != 0 && rough != paint.medium.wavelength_count()) {
-        throw Error(
-            "a rough clearcoat whose binder has the index 1 at some wavelengths only "
-            "cannot be rendered");
-    }
-    return rough != 0;
-}
-
-float mean_ior(const solver::PaintMedium& medium) { return static_cast<float>(mean(medium.ior)); }
+float mean_ior(const solver::PaintMedium& medium) { return static_cast<float>(mean_index(medium)); }
 
 Microflake::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> solved)
     : Tables(solved, extinction_by_direction(solved->medium)) {}

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
+#include "nacre/bsdf/paint_interface.h"
+#include "nacre/bsdf/tabulated/table_pairs.h"
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
-#include "nacre/core/progress.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/solver/directions.h"
 #include "nacre/solver/lane_registers.h"
@@ -239,10 +239,6 @@ void BrdfTableRows::add_interface(const Group& group, double scale, Workspace& w
 
 namespace {
 
-double mean(const std::vector<double>& v) {
-    return std::accumulate(v.begin(), v.end(), 0.0) / static_cast<double>(v.size());
-}
-
 // Roughness of the narrowest lobe on the side on which the grid measures half vectors.
 double narrowest_lobe(const solver::PaintMedium& medium, double ior) {
     double alpha = 1;
@@ -257,18 +253,11 @@ double narrowest_lobe(const solver::PaintMedium& medium, double ior) {
 
 BrdfGrid make_grid(const solver::SolvedPaint& paint, const BrdfTableSettings& settings) {
     const solver::PaintMedium& medium = paint.medium;
-    for (int w = 0; w < medium.wavelength_count(); ++w) {
-        if (paint.is_rough(w) != paint.is_rough(0)) {
-            throw Error(
-                "a rough clearcoat whose binder has the index 1 at some wavelengths only cannot "
-                "be tabulated");
-        }
-    }
     BrdfGrid grid;
     grid.angles = settings.angles;
     grid.azimuths = settings.azimuths;
-    grid.ior = mean(medium.ior);
-    grid.roughness = paint.is_rough(0) ? medium.roughness : 0.0;
+    grid.ior = mean_index(medium);
+    grid.roughness = has_rough_interface(paint, "tabulated") ? medium.roughness : 0.0;
     grid.lobe_alpha = narrowest_lobe(medium, grid.ior);
     validate(grid);
     return grid;
@@ -279,24 +268,12 @@ RawBrdfTable make_raw_table(const solver::SolvedPaint& paint, const BrdfTableSet
     RawBrdfTable table;
     table.paint = paint.recipe.name;
     table.grid = make_grid(paint, settings);
-    table.values.resize(3 * table.grid.values());
-    const std::size_t n = table.grid.angles, line = 3 * table.grid.azimuths;
     const BrdfTableRows rows(paint, table.grid);
-
-    SharedProgress counter(progress, static_cast<double>(n * (n + 1) / 2));  // of pairs
-    parallel_for_ranges(0, n, 1, [&](std::size_t first, std::size_t last) {
-        for (std::size_t step = first; step < last && !counter.stopped(); ++step) {
-            const std::size_t i = n - 1 - step;  // long rows first
-            BrdfTableRows::Workspace work = rows.make_workspace(static_cast<int>(i));
-            for (std::size_t o = 0; o <= i && counter.ask(); ++o) {
-                float* out = table.values.data() + (i * n + o) * line;
-                rows.evaluate(work, static_cast<int>(o), out);
-                if (o != i) std::copy_n(out, line, table.values.data() + (o * n + i) * line);
-            }
-            counter.add(static_cast<double>(i + 1));
-        }
+    set_pairs(table, "the BRDF table", progress, [&](int i) {
+        return [&rows, work = rows.make_workspace(i)](int o, float* out) mutable {
+            rows.evaluate(work, o, out);
+        };
     });
-    if (counter.stopped()) throw Error("making the BRDF table was stopped");
     return table;
 }
 

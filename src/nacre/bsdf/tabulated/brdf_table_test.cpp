@@ -8,6 +8,7 @@
 
 #include "nacre/bsdf/tabulated/compression.h"
 #include "nacre/core/error.h"
+#include "nacre/core/progress.h"
 #include "nacre/core/random.h"
 #include "nacre/spectra/rgb.h"
 #include "nacre/testing/layers.h"
@@ -243,6 +244,11 @@ TEST(BrdfTableSvd, RefusesSettingsOutOfRange) {
     Rng rng(1);
     for (float& v : noise.values) v = rng.uniform_float();
     EXPECT_THROW(compress(noise, {0, 0.01}), Error);
+}
+
+TEST(BrdfTable, SaysThatItWasStopped) {
+    const solver::SolvedPaint paint = solved(everything(0));
+    EXPECT_THROW(make_raw_table(paint, kSmall, [](double) { return false; }), Stopped);
 }
 
 }  // namespace

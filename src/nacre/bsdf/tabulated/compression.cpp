@@ -14,7 +14,7 @@ namespace nacre::bsdf {
 
 namespace {
 
-// Rows (i, 0 ... angles - 1) of one channel, values below `least` raised to it.
+// Rows (i, 0 ... angles - 1) of one channel, values below `min_value` raised to it.
 RowMajorMatrix slab(const RawBrdfTable& raw, int channel, std::size_t i, double min_value) {
     const int n = raw.grid.angles, m = raw.grid.azimuths;
     const float* at = raw.values.data() + 3 * i * n * m + channel;

@@ -1,12 +1,13 @@
 #include "nacre/bsdf/tabulated/fourier_table.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
+#include "nacre/bsdf/tabulated/table_pairs.h"
 #include "nacre/core/error.h"
-#include "nacre/core/parallel.h"
-#include "nacre/core/progress.h"
 #include "nacre/solver/directions.h"
 #include "nacre/spectra/rgb.h"
 
@@ -156,52 +157,40 @@ FourierBrdfTable make_fourier_table(const solver::SolvedPaint& paint,
     RawBrdfTable table;
     table.paint = paint.recipe.name;
     table.grid = make_grid(paint, settings);
-    table.values.resize(3 * table.grid.values());
     const std::vector<spectra::Rgb> reflectance = flake_colours(paint);
     const CosineTransform transform(settings.azimuths);
     BrdfGrid sampled = table.grid;
     sampled.azimuths = 2 * settings.azimuths;
     const BrdfTableRows rows(paint, sampled);
 
-    const std::size_t n = table.grid.angles, line = 3 * table.grid.azimuths;
     const int orders = settings.azimuths;
     const double ior = table.grid.ior;
-    SharedProgress counter(progress, static_cast<double>(n * (n + 1) / 2));
-    parallel_for_ranges(0, n, 1, [&](std::size_t first, std::size_t last) {
-        std::vector<float> values(3 * sampled.azimuths);
-        std::array<std::vector<float>, 3> sum;
-        for (std::size_t step = first; step < last && !counter.stopped(); ++step) {
-            const std::size_t i = n - 1 - step;  // long rows first
-            BrdfTableRows::Workspace work = rows.make_workspace(static_cast<int>(i));
-            const double theta_i = table.grid.angle(static_cast<int>(i));
-            for (std::size_t o = 0; o <= i && counter.ask(); ++o) {
-                const double theta_o = table.grid.angle(static_cast<int>(o));
-                work.azimuth = transform.azimuths;
-                rows.evaluate_at_azimuths(work, static_cast<int>(o), values.data());
-                for (auto& channel : sum) channel.assign(orders, 0.0f);
-                const double cosines =
-                    solver::inside_cosine(ior, theta_i) * solver::inside_cosine(ior, theta_o);
-                const double sines = std::sin(theta_i) * std::sin(theta_o) / (ior * ior);
-                for (std::size_t j = 0; j < transform.azimuths.size(); ++j) {
-                    const double dot = cosines + sines * std::cos(transform.azimuths[j]);
-                    const spectra::Rgb R = reflectance_at(
-                        reflectance, static_cast<float>(std::sqrt(std::max(0.0, (1 + dot) / 2))));
-                    const float* weights = transform.weights.data() + j * orders;
-                    for (int c = 0; c < 3; ++c) {
-                        const float value = values[3 * j + c] / R[c];
-                        for (int l = 0; l < orders; ++l) sum[c][l] += value * weights[l];
-                    }
+    set_pairs(table, "the Fourier BRDF table", progress, [&](int i) {
+        return [&, theta_i = table.grid.angle(i), work = rows.make_workspace(i),
+                values = std::vector<float>(3 * sampled.azimuths),
+                sum = std::array<std::vector<float>, 3>()](int o, float* out) mutable {
+            const double theta_o = table.grid.angle(o);
+            work.azimuth = transform.azimuths;
+            rows.evaluate_at_azimuths(work, o, values.data());
+            for (auto& channel : sum) channel.assign(orders, 0.0f);
+            const double cosines =
+                solver::inside_cosine(ior, theta_i) * solver::inside_cosine(ior, theta_o);
+            const double sines = std::sin(theta_i) * std::sin(theta_o) / (ior * ior);
+            for (std::size_t j = 0; j < transform.azimuths.size(); ++j) {
+                const double dot = cosines + sines * std::cos(transform.azimuths[j]);
+                const spectra::Rgb R = reflectance_at(
+                    reflectance, static_cast<float>(std::sqrt(std::max(0.0, (1 + dot) / 2))));
+                const float* weights = transform.weights.data() + j * orders;
+                for (int c = 0; c < 3; ++c) {
+                    const float value = values[3 * j + c] / R[c];
+                    for (int l = 0; l < orders; ++l) sum[c][l] += value * weights[l];
                 }
-                float* out = table.values.data() + (i * n + o) * line;
-                for (int l = 0; l < orders; ++l) {
-                    for (int c = 0; c < 3; ++c) out[3 * l + c] = sum[c][l];
-                }
-                if (o != i) std::copy_n(out, line, table.values.data() + (o * n + i) * line);
             }
-            counter.add(static_cast<double>(i + 1));
-        }
+            for (int l = 0; l < orders; ++l) {
+                for (int c = 0; c < 3; ++c) out[3 * l + c] = sum[c][l];
+            }
+        };
     });
-    if (counter.stopped()) throw Error("making the Fourier BRDF table was stopped");
     return {table.grid, reflectance, std::move(table)};
 }
 

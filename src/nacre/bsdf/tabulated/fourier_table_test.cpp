@@ -7,6 +7,7 @@
 
 #include "nacre/bsdf/tabulated/tabulated.h"
 #include "nacre/core/error.h"
+#include "nacre/core/progress.h"
 #include "nacre/solver/solver.h"
 #include "nacre/spectra/rgb.h"
 #include "nacre/testing/bsdf.h"
@@ -133,6 +134,11 @@ TEST(FourierTable, RendersTheColourOfTheSolvedPaint) {
     // Linear between 128 polar nodes: a quarter of the error with twice as many.
     EXPECT_LT(error, 2e-2 * peak);
     EXPECT_GT(peak, 0.1);
+}
+
+TEST(FourierTable, SaysThatItWasStopped) {
+    const solver::SolvedPaint paint = solved_flakes(spectra::Spectrum(0.6));
+    EXPECT_THROW(make_fourier_table(paint, {24, 20}, [](double) { return false; }), Stopped);
 }
 
 }  // namespace
