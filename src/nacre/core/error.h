@@ -6,11 +6,11 @@
 #include <string_view>
 
 // Errors carry their context: the library throws, the command line prints what() and picks the
-// exit status from the type (docs/conventions.md, "Errors").
+// exit status from the type (docs/conventions.md, "Errors"). A std::logic_error is a bug in Nacre.
 
 namespace nacre {
 
-/// Base of every exception Nacre throws on purpose. Failures while running exit with status 3.
+/// Base of every other exception that Nacre throws. Failures while running exit with status 3.
 class Error : public std::runtime_error {
  public:
     using std::runtime_error::runtime_error;

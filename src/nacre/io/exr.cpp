@@ -12,8 +12,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <exception>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -42,7 +42,7 @@ class MemoryStream : public Imf::IStream {
 
     bool read(char c[], int n) override {
         if (n < 0 || static_cast<std::size_t>(n) > bytes_.size() - at_) {
-            throw std::runtime_error("the file ends too early");
+            throw Error("the file ends too early");
         }
         std::memcpy(c, bytes_.data() + at_, static_cast<std::size_t>(n));
         at_ += static_cast<std::size_t>(n);
@@ -50,7 +50,7 @@ class MemoryStream : public Imf::IStream {
     }
     uint64_t tellg() override { return at_; }
     void seekg(uint64_t pos) override {
-        if (pos > bytes_.size()) throw std::runtime_error("an offset beyond the end of the file");
+        if (pos > bytes_.size()) throw Error("an offset beyond the end of the file");
         at_ = static_cast<std::size_t>(pos);
     }
 
@@ -72,7 +72,7 @@ class MemoryOutput : public Imf::OStream {
     }
     uint64_t tellp() override { return at_; }
     void seekp(uint64_t pos) override {
-        if (pos > bytes_.size()) throw std::runtime_error("an offset beyond the end of the file");
+        if (pos > bytes_.size()) throw Error("an offset beyond the end of the file");
         at_ = static_cast<std::size_t>(pos);
     }
     std::string take() { return std::move(bytes_); }
@@ -127,9 +127,9 @@ Image parse_exr(std::string_view bytes, const std::string& name, std::size_t max
         MemoryStream stream(bytes, name);
         Imf::InputFile file(stream, 0);
         return read_pixels(file, name, max_values);
-    } catch (const Error&) {
+    } catch (const InputError&) {  // names the file
         throw;
-    } catch (const std::exception& error) {  // OpenEXR's own are of this type too
+    } catch (const std::exception& error) {  // MemoryStream's and OpenEXR's own
         throw InputError(fmt::format("{}: damaged OpenEXR picture: {}", name, error.what()));
     }
 }
