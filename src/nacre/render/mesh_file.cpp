@@ -77,8 +77,13 @@ class MemoryStream final : public Assimp::IOStream {
 /// may name, with all their bytes bounded.
 class MeshFiles final : public Assimp::IOSystem {
  public:
-    MeshFiles(std::string name, std::string_view bytes, References references)
-        : name_(std::move(name)), bytes_(bytes), references_(std::move(references)) {}
+    /// @param bytes_left  of the files that it may name, together
+    MeshFiles(std::string name, std::string_view bytes, References references,
+              std::size_t bytes_left)
+        : name_(std::move(name)),
+          bytes_(bytes),
+          references_(std::move(references)),
+          bytes_left_(bytes_left) {}
 
     bool Exists(const char* name) const override { return name == name_; }
     char getOsSeparator() const override { return '/'; }
@@ -95,7 +100,7 @@ class MeshFiles final : public Assimp::IOSystem {
     std::string name_;
     std::string_view bytes_;
     References references_;
-    std::size_t bytes_left_ = kMaxMeshBytes;
+    std::size_t bytes_left_;
 };
 
 /// Leaves one of assimp's dozens of importers.
@@ -158,7 +163,7 @@ void append(const aiMesh& part, const std::string& material, PolygonMesh& mesh) 
 
 /// @param bytes  of gltf_geometry(), which assimp may trust
 PolygonMesh parse_gltf(std::string_view bytes, const std::string& extension,
-                       const References& references) {
+                       const References& references, std::size_t bytes_left) {
     constexpr const char* kGltfImporter = "glTF2 Importer";
     Assimp::Importer importer;
     keep_only(importer, kGltfImporter);
@@ -166,7 +171,7 @@ PolygonMesh parse_gltf(std::string_view bytes, const std::string& extension,
         throw Error(fmt::format("this assimp has no '{}'", kGltfImporter));
     }
     const std::string name = "mesh" + extension;
-    importer.SetIOHandler(new MeshFiles(name, bytes, references));  // which deletes it
+    importer.SetIOHandler(new MeshFiles(name, bytes, references, bytes_left));  // which deletes it
     const aiScene* scene = importer.ReadFile(name, 0);
     if (scene) {
         require_vertices(*scene);
@@ -196,6 +201,7 @@ Mesh parse(std::string_view bytes, const MeshFile& file, const References& besid
         return triangles_of(polygons, file, static_cast<float>(mm_per_unit), file.y_up || gltf,
                             parts);
     };
+    const std::size_t bytes_left = kMaxMeshBytes - std::min(kMaxMeshBytes, bytes.size());
     if (extension == ".obj") {
         if (bytes.find('\0') != std::string_view::npos) throw MeshFault("is no OBJ: is not text");
         return made(parse_obj(bytes));
@@ -203,12 +209,12 @@ Mesh parse(std::string_view bytes, const MeshFile& file, const References& besid
     if (extension == ".ply") return made(parse_ply(bytes));
     if (extension == ".stl") return made(parse_stl(bytes));
     if (extension == ".gltf") {
-        return made(parse_gltf(gltf_geometry(bytes, max_elements), extension, beside));
+        return made(parse_gltf(gltf_geometry(bytes, max_elements), extension, beside, bytes_left));
     }
     if (extension == ".glb") {
         const Glb glb = open_glb(bytes);
         return made(parse_gltf(glb_bytes(gltf_geometry(glb.json, max_elements), glb.buffer),
-                               extension, beside));
+                               extension, beside, bytes_left));
     }
     throw MeshFault("is none of .obj, .ply, .stl, .gltf and .glb");
 }
