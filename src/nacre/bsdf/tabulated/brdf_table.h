@@ -217,8 +217,8 @@ BrdfGrid make_grid(const solver::SolvedPaint& paint, const BrdfTableSettings& se
 /// Rec. 709 has negative components, and keeps them.
 ///
 /// Takes seconds and, beside the table, little memory. `progress` returning false ends it.
-/// @throws DomainError if a setting is out of range; Error if stopped by `progress`, or if the
-/// interface is rough at some wavelengths only
+/// @throws DomainError if a setting is out of range; Stopped by `progress`; Error if the interface
+///         is rough at some wavelengths only
 RawBrdfTable make_raw_table(const solver::SolvedPaint& paint,
                             const BrdfTableSettings& settings = {}, const Progress& progress = {});
 
