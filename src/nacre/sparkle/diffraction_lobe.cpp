@@ -151,9 +151,9 @@ float DiffractionLobe::blur(float slope2, float width) const {
     return std::exp(y * y * look_up(table, slope2 * inverse_alpha2_, y));
 }
 
-float DiffractionLobe::lobe_fraction(float exponent, float width, float power) {
+float DiffractionLobe::lobe_fraction(float exponent, float width_over_alpha, float power) {
     static const Table& table = inverse_lobe_fraction();
-    return 1 / std::max(1.0f, kLobePower / power * look_up(table, exponent, width));
+    return 1 / std::max(1.0f, kLobePower / power * look_up(table, exponent, width_over_alpha));
 }
 
 }  // namespace nacre::sparkle

@@ -71,17 +71,17 @@ class DiffractionLobe {
     bool spreads() const { return coat_.rough() || waviness2_ > 0; }
     /// The square of the radius that a rough coat and waviness add.
     /// @param spread2  of both
-    static constexpr float coat_radius2(float spread2) { return 18.0f / 5 * spread2; }
+    static constexpr float spread_radius2(float spread2) { return 18.0f / 5 * spread2; }
     /// How the clearcoat tilts half vectors.
     const CoatTilt& coat() const { return coat_; }
     /// The radius then, at most max_radius().
-    /// @param coat_radius2  what the coat adds to its square
+    /// @param added_radius2  what coat and waviness add to its square
     FloatLanes radius_at(FloatLanes radius, FloatLanes sec2, FloatLanes cosine,
-                         FloatLanes coat_radius2 = FloatLanes{}) const {
+                         FloatLanes added_radius2 = FloatLanes{}) const {
         const FloatLanes sec = sqrt_lanes(sec2);
         const FloatLanes own =
             radius * sec * sqrt_lanes(sec) / max_lanes(cosine, splat(kMinCosine));
-        return min_lanes(sqrt_lanes(own * own + coat_radius2), splat(max_radius_));
+        return min_lanes(sqrt_lanes(own * own + added_radius2), splat(max_radius_));
     }
     /// 4 alpha: beyond it P is negligible, and a wider lobe would change nothing.
     float max_radius() const { return max_radius_; }
@@ -112,9 +112,9 @@ class DiffractionLobe {
     /// the rest comes from the rings of all others: min(1, e P * K / (P * A)). On the flank of P
     /// there are few such flakes, and at its peak many.
     /// @param exponent  as of blur(): (slope / alpha)^2, at most kMaxExponent
-    /// @param width     of K, over alpha
-    /// @param power     e, in general of power_of()
-    static float lobe_fraction(float exponent, float width, float power = kLobePower);
+    /// @param width_over_alpha  of K
+    /// @param power  e, in general of power_of()
+    static float lobe_fraction(float exponent, float width_over_alpha, float power = kLobePower);
     /// e under a rough coat. Where its spread is wide against the pattern, the rings stay within it,
     /// but for 0.2 w / a of the light: then Int (e K)^2 is that of the pattern so spread.
     /// @param relative_spread2  spread2 over the square of the radius that diffraction gives

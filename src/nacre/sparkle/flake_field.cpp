@@ -1,6 +1,7 @@
 #include "nacre/sparkle/flake_field.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -40,7 +41,7 @@ FlakeField::FlakeField(const FlakePopulation& population, std::uint64_t seed)
     typical_radius_ = lobe_.radius(static_cast<float>(population.diameter_um)) / alpha_;
     constexpr float kWidest = 0.32f;
     max_widening_ = std::max(
-        1.0f, kWidest / std::hypot(typical_radius_, std::sqrt(lobe_.coat_radius2(lobe_.spread2(
+        1.0f, kWidest / std::hypot(typical_radius_, std::sqrt(lobe_.spread_radius2(lobe_.spread2(
                                                         lobe_.coat().spread2(1, 1)))) /
                                                         alpha_));
     // A point resolves its flakes, unless too many lie over each other.
@@ -60,7 +61,7 @@ double FlakeField::exact_side_mm() const {
 
 float FlakeField::lobe_area(float cosine) const {
     const float radius = typical_radius_ * alpha_ * lobe_.widening(1, cosine);
-    const float coat = lobe_.coat_radius2(lobe_.spread2(lobe_.coat().spread2(cosine, cosine)));
+    const float coat = lobe_.spread_radius2(lobe_.spread2(lobe_.coat().spread2(cosine, cosine)));
     return 5 * std::numbers::pi_v<float> / 9 * (radius * radius + coat);  // Int K^2 = 9/(5 pi w^2)
 }
 
@@ -228,7 +229,9 @@ void FlakeField::show(const Found& found, const FlakePlane& plane, const PatchOu
         const FloatLanes x = plane.u.step.x * u + plane.v.step.x * v;
         const FloatLanes y = plane.u.step.y * u + plane.v.step.y * v;
         const LanePacker touching(
-            outline.touches(x, y, 0.5e-3f * gather_lanes(sizes_.diameters_um(), kind >> 24)) &
+            outline.touches(
+                x, y,
+                0.5e-3f * gather(sizes_.diameters_um(), std::bit_cast<IntLanes>(kind >> 24))) &
             (kNumber < static_cast<float>(found.count - first)));
         const int k = view.count;
         touching.store(&view.place[k], place);
@@ -242,7 +245,8 @@ void FlakeField::show(const Found& found, const FlakePlane& plane, const PatchOu
     for (int k = begin; k < view.count; k += kLanes) {
         const UintLanes place = load_short_bits(&view.place[k]);
         const UintLanes kind = load_short_bits(&view.kind[k]);
-        const FloatLanes diameter_um = gather_lanes(sizes_.diameters_um(), kind >> 24);
+        const FloatLanes diameter_um =
+            gather(sizes_.diameters_um(), std::bit_cast<IntLanes>(kind >> 24));
         const FloatLanes weight =
             load_lanes(&touching_weight[k]) * inverse_cover_ *
             outline.coverage(load_lanes(&touching_x[k]), load_lanes(&touching_y[k]),

@@ -88,9 +88,9 @@ class FlakeField {
         static constexpr int kSideBits = 2;  ///< the sides of the cells double as often from level
                                              ///< to level
         static constexpr int kMaxFlakesPerCell = 24;
-        /// Of full_cells, from the finest level: to look whether a flake mirrors a light, or to ask for it,
-        /// costs so little that a picture may show those that are there where it could show as many that
-        /// stand for them. Each has faded before the next begins to.
+        /// The finest levels are used up to this many times full_cells, as looking at one flake is
+        /// cheap: real flakes are shown where a coarser level would show as many substitutes. Each
+        /// level has faded out before the next starts to.
         static constexpr std::array<float, 2> kFinestCells{40, 12};
         std::array<double, kLevels> cell_mm;              ///< side of the cells, by level
         std::array<std::uint64_t, kLevels> key;           ///< of their hashes

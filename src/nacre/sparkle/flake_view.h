@@ -80,7 +80,7 @@ struct FlakeView {
             DiffractionLobe::lobe_fraction(exponent * narrower, radius * std::sqrt(narrower),
                                            DiffractionLobe::power_of(relative / (radius * radius)));
         if (widening == 1) return lobes;
-        const float radius2 = radius * radius + DiffractionLobe::coat_radius2(relative);
+        const float radius2 = radius * radius + DiffractionLobe::spread_radius2(relative);
         const float bend = (exponent - 1) * radius2 * (1.0f / 3);
         const float upper_bound = background < 1 ? 1 / (1 - background) : 1;
         return std::min(upper_bound,
@@ -129,7 +129,7 @@ struct FlakeView {
             lobe.spread2(lobe.coat().spread2(wi.z, 2.0f * facing / sec2 - wi.z));
         const float wider = factor * widening;
         return lobe.radius_at(factor * radius, sec2, cosine,
-                              spread2 * (wider * wider * DiffractionLobe::coat_radius2(1)));
+                              spread2 * (wider * wider * DiffractionLobe::spread_radius2(1)));
     }
 };
 
@@ -148,7 +148,7 @@ float FlakeView::for_each_answer(const DiffractionLobe& lobe, Vec2f slope, float
     const float slope2 = slope.x * slope.x + slope.y * slope.y;
     const float scale = lobe.widening(1 + slope2, cosine);
     const float factor = answer_factor(lobe, slope2, scale, spread2);
-    const float coat2 = widening * widening * DiffractionLobe::coat_radius2(spread2);
+    const float coat2 = widening * widening * DiffractionLobe::spread_radius2(spread2);
     const FloatLanes max2 = splat(lobe.max_radius() * lobe.max_radius());
     float inverse_density = 0;  // worked out with the first answer
     for (int first = 0; first < count; first += kLanes) {
@@ -173,7 +173,7 @@ inline float FlakeView::fraction(const DiffractionLobe& lobe, Vec2f slope, float
     const float slope2 = slope.x * slope.x + slope.y * slope.y;
     if (!lobe.reaches(slope2)) return 0;
     const float scale = lobe.widening(1 + slope2, cosine);
-    const float coat2 = widening * widening * DiffractionLobe::coat_radius2(spread2);
+    const float coat2 = widening * widening * DiffractionLobe::spread_radius2(spread2);
     const float width =
         std::min(std::hypot(lobe_radius[flake] * scale, std::sqrt(coat2)), lobe.max_radius());
     const float dx = slope_x[flake] - slope.x, dy = slope_y[flake] - slope.y;

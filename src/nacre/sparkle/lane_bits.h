@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "nacre/core/lane_count.h"
 #include "nacre/core/lane_math.h"
 #include "nacre/core/lanes.h"
 
@@ -51,16 +52,6 @@ inline UintLanes load_short_bits(const std::uint32_t* p) {
     return v;
 }
 
-/// table[index] in each lane.
-inline FloatLanes gather_lanes(const float* table, UintLanes index) {
-#ifdef __AVX2__
-    return std::bit_cast<FloatLanes>(
-        _mm256_i32gather_ps(table, std::bit_cast<__m256i>(index), sizeof(float)));
-#else
-    return make_lanes([&](int i) { return table[index[i]]; });
-#endif
-}
-
 /// eight[at] in each lane.
 inline FloatLanes pick_lanes(const FloatLanes& eight, const IntLanes& at) {
 #ifdef __AVX2__
@@ -85,27 +76,16 @@ inline FloatLanes upper_half(UintLanes bits) {
     return __builtin_convertvector(std::bit_cast<LaneMask>(bits >> 16), FloatLanes);
 }
 
-/// One bit a lane, the first lowest.
-inline unsigned set_lanes(const LaneMask& mask) {
-#ifdef __AVX2__
-    return static_cast<unsigned>(_mm256_movemask_ps(std::bit_cast<__m256>(mask)));
-#else
-    unsigned bits = 0;
-    for (int lane = 0; lane < kLanes; ++lane) bits |= (mask[lane] & 1u) << lane;
-    return bits;
-#endif
-}
-
 /// Calls visit(lane) for each lane whose bits are set.
 template <class Visit>
 inline void for_each_set_lane(const LaneMask& mask, Visit&& visit) {
-    for (unsigned bits = set_lanes(mask); bits != 0; bits &= bits - 1)
+    for (unsigned bits = lane_bits(mask); bits != 0; bits &= bits - 1)
         visit(std::countr_zero(bits));
 }
 
 namespace detail {
 
-// By the bits of set_lanes(): the lanes that are set, one a byte, the first lowest.
+// By the bits of lane_bits(): the lanes that are set, one a byte, the first lowest.
 inline constexpr std::array<std::uint64_t, 1 << kLanes> kSetLanes = [] {
     std::array<std::uint64_t, 1 << kLanes> lanes{};
     for (unsigned bits = 0; bits < lanes.size(); ++bits) {
@@ -123,7 +103,7 @@ inline constexpr std::array<std::uint64_t, 1 << kLanes> kSetLanes = [] {
 class LanePacker {
  public:
     explicit LanePacker(const LaneMask& mask)
-        : bits_(set_lanes(mask)),
+        : bits_(lane_bits(mask)),
           count_(std::popcount(bits_))
 #ifdef __AVX2__
           ,

@@ -52,7 +52,7 @@ TEST(LaneBits, SetLanesAreVisitedAndPackedInOrder) {
             mask[lane] = set >> lane & 1 ? -1 : 0;
             if (mask[lane]) expected.push_back(lane);
         }
-        EXPECT_EQ(set_lanes(mask), set);
+        EXPECT_EQ(lane_bits(mask), set);
         for_each_set_lane(mask, [&](int lane) { visited.push_back(lane); });
         EXPECT_EQ(visited, expected);
         const LanePacker packer(mask);

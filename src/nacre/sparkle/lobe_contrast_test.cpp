@@ -86,7 +86,7 @@ TEST(DiffractionLobe, HasTheContrastOfTheAiryPatternThatACoatSpreads) {
             return 2 * kPi * s *
                    std::pow(airy_transform(s) * std::exp(-std::pow(kPi * s * a, 2)), 2);
         });
-        const double radius2 = kW * kW + DiffractionLobe::coat_radius2(static_cast<float>(a * a));
+        const double radius2 = kW * kW + DiffractionLobe::spread_radius2(static_cast<float>(a * a));
         const double e = DiffractionLobe::power_of(static_cast<float>(a * a / (kW * kW)));
         const double lobe = e * e * 9 / (5 * kPi * radius2);
         worst = std::max(worst, std::abs(std::sqrt(lobe / spread) - 1));

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "nacre/core/lane_angle.h"
 #include "nacre/core/lane_math.h"
 #include "nacre/core/vec.h"
 #include "nacre/sparkle/footprint.h"
@@ -13,28 +14,6 @@
 // How much of eight discs lies in a parallelogram.
 
 namespace nacre::sparkle {
-
-inline constexpr double kArctangentLanesError = 4e-7;
-
-/// The angle of (x, y), in [-pi, pi], to kArctangentLanesError; 0 at the origin.
-/// [abramowitz-stegun-1964, eq. 4.4.49]
-inline FloatLanes arctangent_lanes(FloatLanes y, FloatLanes x) {
-    const FloatLanes size_x = x < 0.0f ? -x : x, size_y = y < 0.0f ? -y : y;
-    const FloatLanes larger = max_lanes(max_lanes(size_x, size_y), splat(1e-37f));
-    const FloatLanes t = min_lanes(size_x, size_y) / larger, t2 = t * t;
-    FloatLanes p = splat(0.0028662257f);
-    p = p * t2 - 0.0161657367f;
-    p = p * t2 + 0.0429096138f;
-    p = p * t2 - 0.0752896400f;
-    p = p * t2 + 0.1065626393f;
-    p = p * t2 - 0.1420889944f;
-    p = p * t2 + 0.1999355085f;
-    p = p * t2 - 0.3333314528f;
-    FloatLanes angle = t + t * t2 * p;
-    angle = size_y > size_x ? 0.5f * std::numbers::pi_v<float> - angle : angle;
-    angle = x < 0.0f ? std::numbers::pi_v<float> - angle : angle;
-    return y < 0.0f ? -angle : angle;
-}
 
 /// The parallelogram about the origin that two edges span, by its sides.
 struct Parallelogram {
@@ -89,7 +68,7 @@ inline FloatLanes disc_overlap(FloatLanes x, FloatLanes y, FloatLanes radius,
         const FloatLanes off = distance == 0.0f ? splat(1e-30f) : distance;
         inside &= off > 0.0f;
         triangles += distance * (c1 - c0);
-        sectors += arctangent_lanes(off * (c1 - c0), off * off + c0 * c1);
+        sectors += atan2_lanes(off * (c1 - c0), off * off + c0 * c1);
     }
     const FloatLanes full = inside ? splat(2 * std::numbers::pi_v<float>) : FloatLanes{};
     return max_lanes(0.5f * (triangles + radius2 * (full - sectors)), FloatLanes{});

@@ -10,27 +10,6 @@
 namespace nacre::sparkle {
 namespace {
 
-TEST(ArctangentLanes, AgreesWithTheLibraryAllAround) {
-    for (int degrees = -180; degrees <= 180; ++degrees) {
-        const double angle = degrees * std::numbers::pi / 180;
-        const float x = static_cast<float>(3e-5 * std::cos(angle));
-        const float y = static_cast<float>(3e-5 * std::sin(angle));
-        EXPECT_NEAR(arctangent_lanes(splat(y), splat(x))[0], std::atan2(y, x),
-                    kArctangentLanesError);
-    }
-    EXPECT_EQ(arctangent_lanes(FloatLanes{}, FloatLanes{})[0], 0);
-}
-
-TEST(ArctangentLanes, AgreesWithTheLibrary) {
-    for (int i = -400; i <= 400; ++i) {
-        const float x =
-            std::copysign(std::pow(10.0f, std::abs(i) / 40.0f - 5), static_cast<float>(i));
-        EXPECT_NEAR(arctangent_lanes(splat(x), splat(1.0f))[3], std::atan(static_cast<double>(x)),
-                    kArctangentLanesError)
-            << x;
-    }
-}
-
 float overlap(double x, double y, double r, Vec2f a, Vec2f b) {
     return disc_overlap(splat(static_cast<float>(x)), splat(static_cast<float>(y)),
                         splat(static_cast<float>(r)), Parallelogram(a, b))[0];

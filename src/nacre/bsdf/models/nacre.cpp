@@ -39,7 +39,7 @@ int asked_directions(const sparkle::FlakeField& field) {
     constexpr float kMax = NacreSpecies::kMostDirections;
     const sparkle::DiffractionLobe& lobe = field.lobe();
     const auto radius = static_cast<float>(lobe.radius(field.population().diameter_um));
-    const float wider = lobe.coat_radius2(lobe.spread2(lobe.coat().spread2(1.0f, 1.0f)));
+    const float wider = lobe.spread_radius2(lobe.spread2(lobe.coat().spread2(1.0f, 1.0f)));
     return static_cast<int>(std::min(1 + wider / (radius * radius), kMax));
 }
 
