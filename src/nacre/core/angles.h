@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <numbers>
 
 // Angles are in radians unless a name says otherwise (docs/conventions.md).
@@ -9,5 +10,12 @@ namespace nacre {
 inline constexpr float kPiF = std::numbers::pi_v<float>;   ///< for single precision
 inline constexpr double kDegree = std::numbers::pi / 180;  ///< in radians
 inline constexpr double kHorizon = std::numbers::pi / 2;   ///< polar angle of the horizon
+
+/// The same direction in [0, 360).
+inline double wrapped_deg(double degrees) {
+    const double rest = std::fmod(degrees, 360);
+    // A tiny negative angle would round to 360.
+    return rest < 0 ? std::fmod(rest + 360, 360) : rest;
+}
 
 }  // namespace nacre

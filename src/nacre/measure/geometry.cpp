@@ -39,13 +39,6 @@ double angle_deg(const Vec3d& a, const Vec3d& b) {
     return 2 * std::atan2(length(a - b), length(a + b)) / kDegree;
 }
 
-/// An angle in [0, 360).
-double wrapped_deg(double degrees) {
-    const double rest = std::fmod(degrees, 360);
-    // A tiny negative angle would round to 360.
-    return rest < 0 ? std::fmod(rest + 360, 360) : rest;
-}
-
 Vec3d lamp(const Geometry& geometry) { return direction(geometry.theta_i_deg, 0); }
 Vec3d view(const Geometry& geometry) { return direction(geometry.theta_o_deg, geometry.phi_deg); }
 Vec3d specular_direction(double theta_i_deg) { return direction(theta_i_deg, 180); }

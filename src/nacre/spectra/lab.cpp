@@ -52,8 +52,7 @@ double chroma_weight(double chroma) { return std::sqrt(pow7(chroma) / (pow7(chro
 // Hue angle in [0, 360); 0 for a grey.
 double hue_deg(double a, double b) {
     if (a == 0 && b == 0) return 0;
-    const double h = std::atan2(b, a) / kDegree;
-    return h < 0 ? h + 360 : h;
+    return wrapped_deg(std::atan2(b, a) / kDegree);
 }
 
 // The terms of the formula: weighted differences of lightness, chroma and hue, the factor of the
