@@ -34,14 +34,10 @@ std::vector<Geometry> or_default(const std::vector<Geometry>& geometries) {
 /// Keeps the readings of a file that were asked for.
 void pick(Measurement& measurement, const std::vector<Geometry>& geometries,
           const std::string& file) {
-    constexpr double kSame_deg = 0.1;
     std::vector<measure::Reading> picked;
     for (const Geometry& wanted : geometries) {
-        const auto found = std::find_if(
-            measurement.readings.begin(), measurement.readings.end(), [&](const auto& reading) {
-                return measure::separation_deg(reading.geometry, wanted) <= kSame_deg;
-            });
-        if (found == measurement.readings.end()) {
+        const measure::Reading* found = measure::find_reading(measurement, wanted);
+        if (!found) {
             throw InputError(fmt::format("{}: has no reading at {}", file, wanted.name));
         }
         picked.push_back(*found);

@@ -18,31 +18,12 @@ struct Pair {
     const Reading *standard, *sample;
 };
 
-/// Instruments name directions to a tenth of a degree.
-constexpr double kSameGeometry_deg = 0.1;
-
-bool far_apart(double a_deg, double b_deg) {
-    return std::abs(a_deg - b_deg) > kSameGeometry_deg + 1e-9;
-}
-
 std::vector<Pair> common_readings(const Measurement& standard, const Measurement& sample) {
     std::vector<Pair> pairs;
     for (const Reading& reading : standard.readings) {
-        const Reading* nearest = nullptr;
-        double nearest_deg = kSameGeometry_deg;
-        for (const Reading& other : sample.readings) {
-            // Quick test by the polar angles, a lower bound: goniometers make many pairs.
-            if (far_apart(reading.geometry.theta_i_deg, other.geometry.theta_i_deg) ||
-                far_apart(reading.geometry.theta_o_deg, other.geometry.theta_o_deg)) {
-                continue;
-            }
-            const double separation = separation_deg(reading.geometry, other.geometry);
-            if (separation <= nearest_deg && (!nearest || separation < nearest_deg)) {
-                nearest = &other;
-                nearest_deg = separation;
-            }
+        if (const Reading* nearest = find_reading(sample, reading.geometry)) {
+            pairs.push_back({&reading, nearest});
         }
-        if (nearest) pairs.push_back({&reading, nearest});
     }
     return pairs;
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "nacre/core/angles.h"
+
 namespace nacre::measure {
 
 namespace {
@@ -32,9 +34,7 @@ double chroma(const Vec3d& lab) { return std::hypot(lab[1], lab[2]); }
 double hue_deg(const Vec3d& lab) {
     // The hue of grey would be that of rounding.
     if (chroma(lab) < 1e-9) return 0;
-    const double degrees = std::atan2(lab[2], lab[1]) * 180 / std::numbers::pi;
-    // A tiny negative angle would round to 360.
-    return degrees < 0 ? std::fmod(degrees + 360, 360) : degrees;
+    return wrapped_deg(std::atan2(lab[2], lab[1]) * 180 / std::numbers::pi);
 }
 
 Vec3d srgb_chip(const Vec3d& lab) { return encoded(lab, false); }
@@ -51,6 +51,27 @@ const Reading* Measurement::find(double theta_i_deg, double aspecular_deg) const
         }
     }
     return nullptr;
+}
+
+const Reading* find_reading(const Measurement& measurement, const Geometry& geometry) {
+    const auto far_apart = [](double a_deg, double b_deg) {
+        return std::abs(a_deg - b_deg) > kSameGeometry_deg + 1e-9;
+    };
+    const Reading* nearest = nullptr;
+    double nearest_deg = kSameGeometry_deg;
+    for (const Reading& reading : measurement.readings) {
+        // Quick test by the polar angles, a lower bound: goniometers make many pairs.
+        if (far_apart(reading.geometry.theta_i_deg, geometry.theta_i_deg) ||
+            far_apart(reading.geometry.theta_o_deg, geometry.theta_o_deg)) {
+            continue;
+        }
+        const double separation = separation_deg(reading.geometry, geometry);
+        if (separation <= nearest_deg && (!nearest || separation < nearest_deg)) {
+            nearest = &reading;
+            nearest_deg = separation;
+        }
+    }
+    return nearest;
 }
 
 Vec3d white_point(const std::vector<double>& wavelengths_nm, const Conditions& conditions) {

@@ -65,6 +65,12 @@ struct Measurement {
     friend bool operator==(const Measurement&, const Measurement&) = default;
 };
 
+/// Instruments name directions to a tenth of a degree.
+inline constexpr double kSameGeometry_deg = 0.1;
+/// The reading that is nearest to a geometry by separation_deg(), within kSameGeometry_deg. Null if
+/// there is none.
+const Reading* find_reading(const Measurement& measurement, const Geometry& geometry);
+
 /// XYZ of the perfect diffuser, by the sums that coloured() takes: what L*a*b* is relative to. By
 /// sums at 5 nm without wavelengths.
 /// @throws DomainError as spectra::white_point()

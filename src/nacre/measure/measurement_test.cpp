@@ -162,6 +162,20 @@ TEST(FlopIndex, OfASolidColourIsZero) {
     EXPECT_EQ(flop_index(read_as({{15, {40, 9, 9}}, {45, {40, 9, 9}}, {110, {40, 9, 9}}})), 0);
 }
 
+TEST(FindReading, IsTheNearestWithinATenthOfADegree) {
+    Measurement m;
+    for (const double aspecular_deg : {15.09, 15.02, 25.0}) {
+        Reading reading;
+        reading.geometry = in_plane(45, aspecular_deg);
+        m.readings.push_back(reading);
+    }
+    EXPECT_EQ(find_reading(m, in_plane(45, 15)), &m.readings[1]);
+    EXPECT_EQ(find_reading(m, in_plane(45, 15.08)), &m.readings[0]);
+    EXPECT_EQ(find_reading(m, in_plane(45, 25.09)), &m.readings[2]);
+    EXPECT_EQ(find_reading(m, in_plane(45, 25.11)), nullptr);
+    EXPECT_EQ(find_reading(m, off_plane(45, 15, 90)), nullptr);
+}
+
 TEST(FlopIndex, IsEmptyWhereItHasNoValue) {
     EXPECT_FALSE(flop_index({}));
     EXPECT_FALSE(flop_index(read_as({{15, {40, 0, 0}}, {45, {40, 0, 0}}})));
