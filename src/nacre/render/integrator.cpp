@@ -247,11 +247,11 @@ LocalSurface PathTracer::surface_at(const Hit& hit, Vec3f wi, const Branch& bran
         const float y = widened * asked_.middle.y - asked_.place.y - shift_mm.y / pixel_mm;
         surface.patch = scene_.patch(hit, x * across + y * down, widened * asked_.size.x * across,
                                      widened * asked_.size.y * down);
-        surface.patch->flakes =
-            asked_.weight > 0 ? bsdf::Patch::Flakes::apart : bsdf::Patch::Flakes::left_out;
+        surface.patch->flakes = asked_.samples_per_asking > 0 ? bsdf::Patch::Flakes::apart
+                                                              : bsdf::Patch::Flakes::left_out;
         surface.patch->footprint.tilt[0] = asked_.tilt.x / widened;
         surface.patch->footprint.tilt[1] = asked_.tilt.y / widened;
-        surface.asked_weight = asked_.weight;
+        surface.asked_weight = asked_.samples_per_asking;
         if (options_.direct_light == DirectLight::combined) {
             surface.narrow_light = surface.bsdf.narrow_light(wi);
         }

@@ -61,9 +61,9 @@ struct AskedPart {
     Vec2f place;         ///< of the sample in its pixel's filter, in pixels across and down
     Vec2f middle, size;  ///< of the part, its sides across and down
     Vec2f tilt;          ///< of the pixel filter over it (ObjectSpaceFootprint::tilt)
-    /// By how many samples its flakes are asked less often than others: the weight of their light.
+    /// Samples of the pixel for each that asks: the weight of the light of the flakes that it asks.
     /// 0: this sample asks none.
-    float weight = 0;
+    float samples_per_asking = 0;
 };
 
 /// Follows a path from the camera: at each surface one sample of the lights, chosen among eight where

@@ -83,7 +83,7 @@ class AskedParts {
         log2 = std::max(std::min(log2, kEnough), log2 - kFewer);
         columns_ = sides(1 << ((log2 + 1) / 2));
         rows_ = sides(1 << (log2 / 2));
-        weight_ = static_cast<float>(samples_per_pixel) / static_cast<float>(count());
+        samples_per_asking_ = static_cast<float>(samples_per_pixel) / static_cast<float>(count());
     }
 
     /// How many samples ask: the first ones.
@@ -110,7 +110,7 @@ class AskedParts {
                 .middle = {x.middle, y.middle},
                 .size = {x.length, y.length},
                 .tilt = {x.tilt, y.tilt},
-                .weight = sample_index < count() ? weight_ : 0.0f};
+                .samples_per_asking = sample_index < count() ? samples_per_asking_ : 0.0f};
     }
 
  private:
@@ -130,7 +130,7 @@ class AskedParts {
         return all;
     }
     std::vector<Side> columns_, rows_;
-    float weight_;
+    float samples_per_asking_;
 };
 
 /// The pixel of the whole picture that a column, or a row, of one with every `stride`-th is.

@@ -199,7 +199,7 @@ Losses losses(const LayerMedium& layer, double mu, int first, int count) {
 }
 
 DoubleLanes backscattering(const LayerMedium& layer, double mu_i, double mu_o, double phi,
-                           int block, double spread2) {
+                           int block, double added_alpha2) {
     const double s_i = std::sqrt(std::max(0.0, 1 - mu_i * mu_i));
     const double s_o = std::sqrt(std::max(0.0, 1 - mu_o * mu_o));
     // Without cancellation at the mirror direction.        [mir-2022, eq. 3-6, repaired]
@@ -211,7 +211,7 @@ DoubleLanes backscattering(const LayerMedium& layer, double mu_i, double mu_o, d
     DoubleLanes sum{};
     for (const FlakeMedium& flake : layer.flakes) {
         const double density =
-            paint::flake_density(tan2, std::sqrt(flake.alpha * flake.alpha + spread2));
+            paint::flake_density(tan2, std::sqrt(flake.alpha * flake.alpha + added_alpha2));
         sum += 0.5 * flake.area_density_per_um * density * flake.table.reflectance(cosine, block);
     }
     for (const PigmentMedium& pigment : layer.pigments) {

@@ -87,10 +87,10 @@ Losses losses(const LayerMedium& layer, double mu, int first, int count);
 /// sigma_s p(w -> w') in 1/(um sr): light that travels down (towards -z) under the cosine mu_i is
 /// turned upwards under mu_o; both cosines > 0, phi = phi_o - phi_i between the directions that
 /// point away from the surface (pi is the mirror side).
-/// @param spread2  by how much more the squares of the flakes' slopes are, in alpha^2: of half
-///                 vectors that a rough clearcoat spreads (sparkle::CoatTilt)
+/// @param added_alpha2  added to alpha^2 of every flake's slope law: it widens the lobe of half
+///                      vectors as a rough clearcoat does (sparkle::CoatTilt); 0 under a smooth one
 DoubleLanes backscattering(const LayerMedium& layer, double mu_i, double mu_o, double phi,
-                           int block, double spread2 = 0);
+                           int block, double added_alpha2 = 0);
 
 /// Values of a per-wavelength list as the eight lanes of `block`, the last one repeated.
 DoubleLanes block_lanes(std::span<const double> values, int block);
