@@ -27,9 +27,10 @@ namespace nacre::bsdf {
 /// with wi', wo' outside a flat coat over flat flakes, s the optical depth sigma(c') times the thickness,
 /// E(x) = (1 - e^-x) / x, and what the clear coat absorbs along mu in place of c'. Light that was scattered
 /// again by flakes and pigments is the flat paint's in the same directions, without the last line, if it
-/// left when it first met the interface. What the interface had sent back met flakes on both sides of that
-/// mirror: mirrored at the flakes' mean m, the coat's n and m again it comes from a normal 2 m - n, and is
-/// the flat paint's in the frame of flakes that lean twice as much.
+/// left when it first met the interface. Light that the interface had sent back met flakes before
+/// and after that. Mirrors of the flakes' mean normal m, the coat's n and m again act as one of
+/// normal 2 m - n, to first order: such light is the flat paint's in the frame of flakes that lean
+/// twice as much.
 ///
 /// Light that has met the ground passes flakes on its way in and on its way out, each by the transmittance
 /// of all flakes for light of that direction, scattered or not. With rho = mu / c' of light on its way down

@@ -56,7 +56,9 @@ Quadrature upper_half(int n) {
     return half;
 }
 
-// Finding the zeros takes time in n^2: rules of up to so many nodes are kept, four megabytes in all.
+// Finding the zeros takes time in n^2: of gauss_legendre(), rules of up to so many nodes are kept,
+// four megabytes in all. Those that are handed out by reference are kept however long; callers ask
+// for few.
 constexpr int kMaxKeptNodes = 1024;
 
 // One rule for each number of nodes, made when it is first asked for and kept. Small ones, which

@@ -184,7 +184,8 @@ struct UncertaintyOptions {
 /// @throws DomainError as paint::check_deviation() and paint::check_correlations(), if there are no
 ///         deviations, one is named twice, or the number of samples is out of range
 /// @throws Error as the reader throws for the recipe as it is; if a number can be moved to neither
-///         side, or more draws make no recipe than do; Stopped if `progress` asks to stop
+///         side, or none of 1000 draws in a row makes a valid recipe; Stopped if `progress` asks to
+///         stop
 Uncertainty uncertainty(const paint::Recipe& recipe,
                         const std::vector<paint::ParameterDeviation>& deviations,
                         const PaintReader& reader, const UncertaintyOptions& options = {},

@@ -114,10 +114,6 @@ class BoundWalk : public bsdf::BoundBsdf {
     mutable std::array<Lanes, kAlbedoIntervals + 1> inner_albedo_;
 };
 
-// The Monte Carlo reference as a surface for the renderer. docs/volume.md
-
-struct WalkTables;
-
 /// A paint whose light is followed flake by flake, by depth alone: the position-free walk of
 /// reference.h, for one packet of light at eight wavelengths.   [guo-hasan-zhao-2018; wilkie-2014]
 ///

@@ -34,7 +34,7 @@ struct SampledFunction {
 
 /// Samples f on [first_nm, last_nm] so finely that linear interpolation errs by less than `error`,
 /// by halving intervals; f is taken to be smooth on the scale of a 64th of the range.
-/// @throws DomainError if that takes more than `most` samples; whatever f throws
+/// @throws DomainError if that takes more than `max_values` samples; whatever f throws
 SampledFunction sample_smooth(const std::function<double(double)>& f, double first_nm,
                               double last_nm, double error, std::size_t max_values);
 

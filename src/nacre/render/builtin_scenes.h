@@ -15,7 +15,7 @@ std::vector<std::string> builtin_scene_names();
 /// @throws InputError naming the text and the scenes that exist
 SceneDescription builtin_scene(const std::string& name);
 
-/// What it shows, for below a picture: "Ball of 100 mm in the studio".
+/// What it shows, for below a picture: "Ball of 100 mm, lit by soft boxes of daylight".
 /// @throws InputError as builtin_scene()
 std::string builtin_scene_caption(const std::string& name);
 

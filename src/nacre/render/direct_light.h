@@ -40,7 +40,7 @@ struct LocalSurface {
     const bsdf::BoundBsdf& bsdf;
     std::optional<bsdf::Patch> patch;
     bool smooth_too = false;  ///< on a patch: the mean over the surface is wanted besides
-    float asked_weight = 0;   ///< AskedPart::weight, where flakes are asked
+    float asked_weight = 0;   ///< AskedPart::samples_per_asking, where flakes are asked
     /// Beyond it light is left to light samples (BoundBsdf::narrow_light).
     float narrow_light = std::numeric_limits<float>::infinity();
 
@@ -51,9 +51,8 @@ struct LocalSurface {
     /// the densities, are then of the rest alone.
     float specular = 0;
 
-    /// As how many the light sample is weighed against that of the surface. Of eight candidates, not as
-    /// eight: how much of their light is reflected is guessed for white light, and not whether it
-    /// arrives.
+    /// Sample count used for the light sample in the power heuristic. 5, not 8, for eight
+    /// candidates, as the guess behind the choice ignores colour and shadowing.
     float light_samples() const { return among_candidates ? 5.0f : 1.0f; }
     bool shows_flakes() const {
         return patch && patch->flakes == bsdf::Patch::Flakes::shown && bsdf.tells_flakes_apart();

@@ -27,7 +27,7 @@ class Film {
 
     /// The picture so far.
     ///
-    /// XYZ are scaled, each by a factor of its own within a percent of 1, so that D65 comes out
+    /// XYZ are scaled, each by a factor of its own within two percent of 1, so that D65 comes out
     /// exactly white: this makes up for the eye's sensitivity beyond the film's range and for the
     /// finite number of wavelengths that a short render has seen.
     RenderResult develop() const;

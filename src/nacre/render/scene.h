@@ -71,8 +71,8 @@ struct Sphere {
     friend bool operator==(const Sphere&, const Sphere&) = default;
 };
 
-/// A triangle mesh read through assimp: OBJ, PLY, glTF, STL. Normals of the file are used; where
-/// it has none, they are made smooth below the crease angle.
+/// A triangle mesh from a file: OBJ, PLY, glTF, STL (mesh_file.h). Normals of the file are used;
+/// where it has none, they are made smooth below the crease angle.
 struct MeshFile {
     std::filesystem::path path;
     double mm_per_unit = 0;        ///< 0: 1000 for glTF, which counts in metres, else 1

@@ -12,9 +12,10 @@
 
 namespace nacre::render {
 
-/// Reads a scene. Paths of meshes, recipes and environment pictures start from its folder;
-/// environment pictures are read along with it, meshes and recipes are not. A scene that came from
-/// elsewhere may be kept to its folder: `references` is then References::within(path's folder).
+/// Reads a scene. Paths of meshes, recipes and pictures start from its folder; pictures, of the
+/// environment and of materials, are read along with it, meshes and recipes are not. A scene that
+/// came from elsewhere may be kept to its folder: `references` is then References::within(path's
+/// folder).
 ///
 /// @throws InputError naming file, line, column, key, value and what is allowed for the first
 ///         thing that is wrong

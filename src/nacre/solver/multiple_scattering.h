@@ -73,11 +73,12 @@ inline constexpr double kFineShare = 0.01;
 /// alpha < 0.03 with fringes would have more.
 inline constexpr int kMaxFineCoefficients = 1 << 18;
 
-/// Values [pair][wavelength] in, compressed so that no value errs by more than `tolerance` times
-/// kFineShare of the smaller of the largest values that its two directions have, or kBlackBrdf: by
-/// truncating the spectral basis and rounding the coefficients. Where that takes more than
-/// kMaxFineCoefficients, as many spectra are kept, and they leave up to `tolerance` of that; if more
-/// are needed for it, these are kept, and coefficients are rounded to as much, too.
+/// Values [pair][wavelength] in, compressed by truncating the spectral basis and rounding the
+/// coefficients. Errors are relative to the smaller of the largest values that a pair's two
+/// directions have, or kBlackBrdf. First tries an error of tolerance * kFineShare. If that takes
+/// more than kMaxFineCoefficients, it keeps as many spectra as fit and accepts up to `tolerance`.
+/// If even `tolerance` needs more than fit, it exceeds the limit and rounds the coefficients to
+/// `tolerance`.
 MultipleScattering compress(std::vector<double> exit_angle, std::vector<int> first,
                             int wavelength_count, std::span<const double> values, double tolerance);
 

@@ -25,7 +25,7 @@ RowMajorMatrix by_wavelength(const LaneBuffer& rows, int wavelengths, int step =
 bool may_be_represented(const LaneBuffer& rows, int wavelengths, int count) {
     // Squares of singular values, of which rounding hides those below 1e-15 of the largest.
     constexpr double kFar = 1e-12;
-    // What so many do not tell of one wavelength in some, they do not tell of all.
+    // If `count` wavelengths cannot reproduce every step-th wavelength, they cannot reproduce all.
     constexpr int kEnough = 4 * kLanes;
     const int step = std::max(wavelengths / kEnough, 1);
     const Eigen::VectorXd squares =

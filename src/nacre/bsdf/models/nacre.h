@@ -37,8 +37,9 @@ struct NacreModel {
 /// Single scattering is a sum over the flakes of the patch that is looked at, each with its own
 /// place, size, slope, depth and films (sparkle/flake_field.h); the interface and multiple
 /// scattering are those of Microflake, with the hot spot of large flakes. Without a patch it is the
-/// mean over all patches, exactly; without the hot spot that is Microflake. A patch is read from Patch::rest, in millimetres; which flakes there are
-/// depends on the specimen alone.                                      [docs/nacre-model.md]
+/// mean over all patches, exactly; without the hot spot that is Microflake. A patch is read from
+/// Patch::footprint, in millimetres; which flakes there are depends on the specimen alone.
+/// [docs/nacre-model.md]
 ///
 /// Under a binder whose index depends on the wavelength, which flakes reflect is decided with the
 /// mean index; the mean of each wavelength stays its own.
@@ -221,8 +222,9 @@ class BoundNacre final : public BoundMicroflake {
         /// By cosines of w_i and, in lanes, of w_o: with what lies above the mean flake, over that for that w_o.
         ByEye relative{};
     };
-    // Where a flake mirrors w_i that leans sideways as far as half of them do; if it mirrors it down or
-    // back into the coat, as one that lies flat. There the hot spot is as it is for most of them.
+    // The direction into which a flake mirrors w_i that leans by the median slope, across the plane
+    // of w_i and the normal. If that light does not leave the coat: the direction of a flake that
+    // lies flat. The hot spot is there about what it is for most flakes.
     Ray typical_mirrored(std::size_t species, const Ray& i) const;
     SeenFlakes seen_flakes(std::size_t species) const;
     // Per solid angle outside, of directions spread over the lobe of a typical flake that mirrors

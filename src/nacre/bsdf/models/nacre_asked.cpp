@@ -20,8 +20,9 @@ using sparkle::FlakeView;
 
 constexpr IntLanes kNumbers = {0, 1, 2, 3, 4, 5, 6, 7};
 
-// In how many directions flakes of a patch are asked: in proportion to their weights, as the noise that
-// one of them makes is. Of most that touch a patch hardly more than an edge lies on it.
+// In how many directions each flake of a patch is asked: in proportion to its weight, as the noise
+// that it makes is. Most flakes that touch a patch have hardly more than an edge on it, and weigh
+// little.
 class AskedDirections {
  public:
     static constexpr int kMost = 4 * NacreSpecies::kMostDirections;
