@@ -151,7 +151,7 @@ TEST(Expansion, RefusesWhatCannotBe) {
                 }),
                 AllOf(HasSubstr("layer[0].flakes[0].d50_um = 8"), HasSubstr("d10_um = 9")));
     EXPECT_THAT(refusal([](FlakeSpecies& f) { f.quantiles = MedianDiameter{0}; }),
-                HasSubstr("layer[0].flakes[0].d50_um = 0: must be in (0, 10000]"));
+                HasSubstr("layer[0].flakes[0].d50_um = 0: must be in [0.001, 10000]"));
     EXPECT_THAT(refusal([](FlakeSpecies& f) {
                     f.quantiles = MedianDiameter{18};
                     f.edge_um = 9;
