@@ -13,7 +13,11 @@ class SettingError(DomainError):
     """A setting is out of range, or does not fit the paint that it is for."""
 
     setting: str = ""
-    """The name of the setting."""
+    """The name of the setting, as Python spells it."""
+
+    def __init__(self, *args: object, setting: str = "") -> None:
+        super().__init__(*args)
+        self.setting = setting
 
 
 class InputError(Error, ValueError):

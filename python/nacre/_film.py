@@ -101,7 +101,7 @@ def _native(material: MaterialLike) -> Any:
     return material._material if isinstance(material, Material) else Material(material)._material
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Film:
     """Reflectance and transmittance of a stack of films."""
 
@@ -125,13 +125,13 @@ class Film:
         return srgb(self.Lab)
 
     def _repr_html_(self) -> str:
-        chips = self.srgb.reshape(-1, 3)[:16]
         labels = [f"{angle:g}°" for angle in self.angles_deg.reshape(-1)[:16]]
-        rows = self.R.reshape(-1, self.wavelengths_nm.size)[:16]
-        colours = [_html.css(chip) for chip in chips]
-        return _html.chips(chips, labels) + _html.spectra(
-            self.wavelengths_nm, rows, labels, colours, "reflectance"
-        )
+        rows = self.R.reshape(-1, self.wavelengths_nm.size)[: len(labels)]
+        chips, colours = "", ["#777777"] * len(labels)
+        with suppress(DomainError):  # wavelengths of which no colour is made
+            shown = self.srgb.reshape(-1, 3)[:16]
+            chips, colours = _html.chips(shown, labels), [_html.css(chip) for chip in shown]
+        return chips + _html.spectra(self.wavelengths_nm, rows, labels, colours, "reflectance")
 
 
 def film(
@@ -171,7 +171,8 @@ def film(
         If a number is out of range.
     """
     stack = [(_native(material), float(thickness)) for material, thickness in layers]
-    angles, nm = doubles(angles_deg), np.atleast_1d(doubles(wavelengths_nm))
+    # Copies, as the result keeps them.
+    angles, nm = doubles(angles_deg).copy(), np.atleast_1d(doubles(wavelengths_nm)).copy()
     reflected, transmitted = _nacre.film(
         _native(ambient),
         [material for material, _ in stack],
@@ -231,7 +232,7 @@ def srgb(lab: ArrayLike, *, full_light: bool = False) -> Floats:
     return _nacre.srgb_chip(doubles(lab), full_light)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Chips:
     """Colours as a notebook shows them: a row of squares, labelled.
 
@@ -247,7 +248,13 @@ class Chips:
     @property
     def css(self) -> list[str]:
         """`#rrggbb`, bright colours scaled down until they fit."""
-        return [_html.css(chip) for chip in srgb(self.Lab, full_light=True).reshape(-1, 3)]
+        return [_html.css(chip) for chip in self._srgb()]
+
+    def _srgb(self) -> Floats:
+        colours = doubles(self.Lab)
+        if colours.size == 0:
+            return np.empty((0, 3))
+        return srgb(colours, full_light=True).reshape(-1, 3)
 
     def _repr_html_(self) -> str:
-        return _html.chips(srgb(self.Lab, full_light=True).reshape(-1, 3), self.labels)
+        return _html.chips(self._srgb(), self.labels)

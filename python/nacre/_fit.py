@@ -61,7 +61,7 @@ class Remedy:
     mean_dE2000: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Match:
     """What a fit found."""
 
@@ -113,7 +113,7 @@ class Match:
         )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ConstructionMatch:
     """What a fit from a library found for one construction."""
 
@@ -188,11 +188,15 @@ def fit(
         If ``progress`` returned False.
     """
     if (start is None) == (library is None):
-        raise SettingError("start or library: one of them says where the fit starts")
+        raise SettingError("start or library: one of them says where the fit starts", setting="start")
     if library is not None and free is not None:
-        raise SettingError("free: belongs to start; a library's sweeps say what varies")
+        raise SettingError(
+            "free: belongs to start; a library's sweeps say what varies", setting="free"
+        )
     if constructions < 1:
-        raise SettingError(f"constructions = {constructions}: must be at least 1")
+        raise SettingError(
+            f"constructions = {constructions}: must be at least 1", setting="constructions"
+        )
     if isinstance(standard, Paint):
         standard = standard.measure(model=None if standard.kind.startswith("measured") else model)
     settings = _nacre.FitSettings(

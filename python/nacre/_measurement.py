@@ -31,7 +31,7 @@ def geometry_text(geometry: Geometries) -> str:
     return geometry if isinstance(geometry, str) else ",".join(geometry)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Difference:
     """Colour differences by geometry: sample less standard."""
 
@@ -104,7 +104,7 @@ class Measurement:
 
         paint = Paint(path)
         if paint.kind != "measured_colours":
-            raise SettingError(f"path = {os.fspath(path)}: holds no measured colours")
+            raise SettingError(f"path = {os.fspath(path)}: holds no measured colours", setting="path")
         return paint.measure()
 
     @classmethod
@@ -248,7 +248,9 @@ class Measurement:
         """
         extension = os.path.splitext(os.fspath(path))[1]
         if extension not in (".csv", ".json"):
-            raise SettingError(f"path = {os.fspath(path)}: must end in .csv or .json")
+            raise SettingError(
+                f"path = {os.fspath(path)}: must end in .csv or .json", setting="path"
+            )
         _nacre.write_text(path, self.csv() if extension == ".csv" else self.json())
 
     def difference(

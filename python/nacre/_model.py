@@ -3,6 +3,8 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import Any
 
+import numpy as np
+
 from . import _nacre
 
 
@@ -12,7 +14,7 @@ def model_names() -> list[str]:
 
 
 def _text(value: object) -> str:
-    if isinstance(value, bool):
+    if isinstance(value, (bool, np.bool_)):
         return "on" if value else "off"
     return str(value)
 
@@ -69,7 +71,10 @@ def settings_of(model: ModelLike, what: str = "values") -> Any:
     if chosen.options.get("flakes", "hashed") != "hashed":
         from ._errors import SettingError
 
-        raise SettingError(f"flakes = {chosen.options['flakes']}: is for pictures, not for {what}")
+        raise SettingError(
+            f"flakes = {chosen.options['flakes']}: is for pictures, not for {what}",
+            setting="flakes",
+        )
     return chosen._model
 
 

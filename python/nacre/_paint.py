@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from . import _html, _nacre, _toml
+from ._errors import DomainError, InputError
 from ._paint_files import PaintFiles, Path
 from ._paint_light import PaintLight
 from ._values import Parameter
@@ -117,6 +118,23 @@ class Paint(PaintLight, PaintFiles):
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.parameters)
+
+    def __contains__(self, key: object) -> bool:
+        """Whether ``paint[key]`` is one number."""
+        try:
+            return isinstance(key, str) and bool(self.whole_key(key))
+        except (DomainError, InputError):
+            return False
+
+    def whole_key(self, key: str) -> str:
+        """The key of the number that the end of a key means.
+
+        Raises
+        ------
+        DomainError
+            If the recipe has no such number, or several keys end so.
+        """
+        return str(self._paint.whole_key(key))
 
     def with_values(self, values: Mapping[str, float]) -> Paint:
         """A copy with some numbers changed."""

@@ -63,7 +63,9 @@ class PaintFiles(PaintReadings):
         extension = os.path.splitext(os.fspath(path))[1]
         if os.fspath(path).endswith(".three.js"):
             if wavelengths_nm is not None:
-                raise SettingError("wavelengths_nm: a .three.js file has its own sixteen")
+                raise SettingError(
+                    "wavelengths_nm: a .three.js file has its own sixteen", setting="wavelengths_nm"
+                )
             with reporter(progress, "write") as report:
                 return shader_material(self._paint.write_shader(path, settings_of(model), report))
         nm, chosen = wavelengths(wavelengths_nm), settings_of(model)
@@ -88,5 +90,6 @@ class PaintFiles(PaintReadings):
                 return fitted_material(values, seen, tested)
         raise SettingError(
             f"path = {os.fspath(path)}: must end in .toml, .h5, .bsdf, .binary, .gltf, "
-            ".mtlx, .blender.py or .three.js"
+            ".mtlx, .blender.py or .three.js",
+            setting="path",
         )

@@ -126,7 +126,7 @@ class PaintLight(OpenedPaint):
             shape = (*i.shape[:-1], 3)
             u = np.random.default_rng(rng).random(shape)
         with reporter(progress, "prepare") as report:
-            look = _nacre.look(self._paint, settings_of(model), report)
+            look = _nacre.look(self._paint, settings_of(model), _some(wavelengths_nm), report)
         return Sample(*look.sample(i, doubles(u), _some(wavelengths_nm)))
 
     def pdf(
@@ -141,7 +141,7 @@ class PaintLight(OpenedPaint):
         """Density per solid angle (...) with which :meth:`sample` draws wo, apart from the specular
         lobe, for the same one to eight wavelengths."""
         with reporter(progress, "prepare") as report:
-            look = _nacre.look(self._paint, settings_of(model), report)
+            look = _nacre.look(self._paint, settings_of(model), _some(wavelengths_nm), report)
         return look.pdf(doubles(wi), doubles(wo), _some(wavelengths_nm))
 
     def albedo(
@@ -154,10 +154,10 @@ class PaintLight(OpenedPaint):
     ) -> Floats32:
         """Directional-hemispherical reflectance (..., W), specular reflection included: a table
         for renderers, within 5e-3. The integral of :meth:`brdf` is exact."""
+        nm = _some(self.wavelengths_nm if wavelengths_nm is None else wavelengths_nm)
         with reporter(progress, "prepare") as report:
-            look = _nacre.look(self._paint, settings_of(model), report)
-        nm = self.wavelengths_nm if wavelengths_nm is None else wavelengths_nm
-        return look.albedo(doubles(wi), _some(nm))
+            look = _nacre.look(self._paint, settings_of(model), nm, report)
+        return look.albedo(doubles(wi), nm)
 
     def reference(
         self,

@@ -125,7 +125,7 @@ class PaintReadings(OpenedPaint):
     def sparkle(
         self,
         *,
-        model: ModelLike = "nacre",
+        model: ModelLike = None,
         lamps_deg: Sequence[float] = (15, 45, 75),
         lamp_half_angle_deg: float = 0.25,
         field_mm: float = 12,
@@ -141,6 +141,8 @@ class PaintReadings(OpenedPaint):
 
         Parameters
         ----------
+        model
+            One that shows single flakes; None: ``nacre``.
         lamps_deg
             From the normal, [0, 85], at most 16.
         lamp_half_angle_deg
@@ -158,7 +160,7 @@ class PaintReadings(OpenedPaint):
             return sparkle_of(
                 _nacre.sparkle(
                     self._paint,
-                    settings_of(model),
+                    settings_of("nacre" if model is None else model),
                     [float(lamp) for lamp in lamps_deg],
                     lamp_half_angle_deg,
                     field_mm,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -12,6 +13,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _nacre
 from ._arrays import Floats, Floats32
+from ._errors import SettingError
 from ._model import ModelLike, choice_of
 from ._paint import Paint
 from ._progress import Progress, reporter
@@ -19,7 +21,7 @@ from ._progress import Progress, reporter
 Path = str | os.PathLike[str]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Image:
     """A picture of linear light by channels, as files hold it."""
 
@@ -34,10 +36,18 @@ class Image:
 
     def write(self, path: Path, *, exposure_stops: float = 0.0) -> None:
         """As .exr, every channel, or .png, tone-mapped; whole or not at all."""
+        _require_stops(exposure_stops)
         _nacre.write_image(path, _contiguous(self.channels), self.metadata, exposure_stops)
 
     def _repr_png_(self) -> bytes:
         return _png(self.rgb)
+
+
+def _require_stops(exposure_stops: float) -> None:
+    if not math.isfinite(exposure_stops):
+        raise SettingError(
+            f"exposure_stops = {exposure_stops}: must be finite", setting="exposure_stops"
+        )
 
 
 def _contiguous(channels: Mapping[str, ArrayLike]) -> dict[str, Floats32]:
@@ -152,6 +162,7 @@ class Picture:
     def write(self, path: Path, *, exposure_stops: float = 0.0) -> None:
         """As .exr, with every channel, .png, tone-mapped, or, of a share, .h5 for :func:`merge`;
         whole or not at all."""
+        _require_stops(exposure_stops)
         self._picture.write(path, exposure_stops)
 
     def write_exr_and_png(self, exr: Path, *, exposure_stops: float = 0.0) -> None:
@@ -163,6 +174,7 @@ class Picture:
         InputError
             If there is such a .png that Nacre did not write.
         """
+        _require_stops(exposure_stops)
         self._picture.write_exr_and_png(exr, exposure_stops)
 
     def _repr_png_(self) -> bytes:
@@ -239,6 +251,8 @@ def render(
     """
     from . import _render
 
+    if resume is not None and shard is None:
+        raise SettingError("resume: belongs to shard", setting="resume")
     width, height = size
     with reporter(progress, "render") as report:
         return Picture(

@@ -13,7 +13,7 @@ from ._film import MaterialLike, _native
 from ._progress import Progress, reporter
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class DrawdownFit:
     """One application of the paint, as measured and by the coefficients found."""
 
@@ -32,7 +32,7 @@ class DrawdownFit:
     """under D65 for the observer of 10 deg; None where 400 to 700 nm are not covered"""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Pigment:
     """Coefficients of a pigment in 1/mm, for a volume fraction of 1, each of shape (W,)."""
 

@@ -16,7 +16,7 @@ class Estimate(NamedTuple):
     standard_error: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class LampReading:
     """Sparkle under one lamp; thresholds are those of the eye (docs/sparkle.md)."""
 
@@ -48,7 +48,7 @@ class DiffuseReading:
     pixel_contrast: Estimate
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Sparkle:
     """What the virtual camera read."""
 

@@ -24,7 +24,7 @@ class UncertainNumber:
     """it is not allowed all values within three standard deviations"""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Uncertainty:
     """Standard deviations of readings: to first order, or of the draws if there were some."""
 

@@ -22,7 +22,7 @@ class Parameter:
     unit: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Solution:
     """How finely a paint was solved, and the solver's estimates of its own errors."""
 
@@ -38,7 +38,7 @@ class Solution:
     """last azimuthal orders over the peak"""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Reference:
     """A BRDF by random walks, estimates that owe nothing to the solver."""
 
@@ -50,7 +50,7 @@ class Reference:
     """walks per direction of the lamp"""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Sample:
     """Directions drawn by a paint's BRDF."""
 
@@ -91,7 +91,7 @@ def _side_by_side(title: str, lab: Floats, delta_e_2000: dict[str, float]) -> st
     return f"<div>{title}: paint above, material below</div>{chips}"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ShaderMaterial:
     """How far a shader made of a paint is from the paint, under D65 for 2 degrees. A notebook shows
     the colours of both, one above the other."""
@@ -107,7 +107,7 @@ class ShaderMaterial:
         return _side_by_side("Shader", self.Lab, self.delta_e_2000)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FittedMaterial:
     """A material of another renderer, and its CIEDE2000 from the paint (docs/export.md). A notebook
     shows the colours of both, one above the other."""

@@ -17,6 +17,12 @@ namespace nacre::python {
 
 namespace nb = nanobind;
 
+/// A path as Python spells paths, whose bytes need not be UTF-8.
+inline nb::object path_text(const std::string& path) {
+    return nb::steal(
+        PyUnicode_DecodeFSDefaultAndSize(path.data(), static_cast<Py_ssize_t>(path.size())));
+}
+
 void bind_paint(nb::module_& module);
 void bind_look(nb::module_& module);
 void bind_appearance_arrays(nb::module_& module);

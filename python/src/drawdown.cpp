@@ -72,14 +72,21 @@ nb::dict estimate_of(const fit::PigmentEstimate& estimate, double anisotropy,
     return result;
 }
 
+/// What is not UTF-8 in it replaced, as files are in UTF-8.
+std::string utf8_of(const std::filesystem::path& path) {
+    const std::string text = path.string();
+    return nb::cast<std::string>(nb::steal(PyUnicode_DecodeUTF8(
+        text.data(), static_cast<Py_ssize_t>(text.size()), "replace")));
+}
+
 }  // namespace
 
 void bind_drawdown(nb::module_& module) {
     module.def(
         "pigment",
-        [](const std::string& path, const std::string& geometry, const optics::Material& binder,
+        [](const std::filesystem::path& path, const std::string& geometry, const optics::Material& binder,
            double anisotropy, bool matt_ground, const std::optional<double>& noise,
-           const std::optional<std::string>& white, const std::string& name,
+           const std::optional<std::filesystem::path>& white, const std::string& name,
            const nb::object& progress) {
             const measure::Drawdown drawdown = io::read_drawdown(path);
             fit::DrawdownSettings settings;
@@ -88,11 +95,11 @@ void bind_drawdown(nb::module_& module) {
             settings.anisotropy = anisotropy;
             settings.matt_ground = matt_ground;
             settings.noise = noise;
-            if (white) settings.white = io::find_white(*white);
+            if (white) settings.white = io::find_white(white->string());
             const fit::PigmentEstimate estimate = run(progress, [&](const Progress& ask) {
                 return fit::estimate_pigment(drawdown, settings, ask);
             });
-            return estimate_of(estimate, anisotropy, name, "drawdown " + path);
+            return estimate_of(estimate, anisotropy, name, "drawdown " + utf8_of(path));
         },
         "path"_a, "geometry"_a, "binder"_a, "anisotropy"_a, "matt_ground"_a, "noise"_a.none(),
         "white"_a.none(), "name"_a, "progress"_a.none());

@@ -1,3 +1,4 @@
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
@@ -153,7 +154,7 @@ void bind_fit(nb::module_& module) {
         "standard"_a, "start"_a, "free"_a, "settings"_a, "progress"_a.none());
     module.def(
         "fit_from_library",
-        [](const Readings& standard, const std::string& library, std::size_t constructions,
+        [](const Readings& standard, const std::filesystem::path& library, std::size_t constructions,
            const FitSettings& settings, const nb::object& progress) {
             const std::vector<ConstructionMatch> matches = run(progress, [&](const Progress& ask) {
                 return fit_from_library(library, standard.measurement, constructions, settings,
@@ -163,7 +164,7 @@ void bind_fit(nb::module_& module) {
             for (const ConstructionMatch& m : matches) {
                 nb::dict one;
                 one["construction"] = m.start.construction;
-                one["record"] = m.start.folder.string();
+                one["record"] = path_text(m.start.folder.string());
                 one["name"] = m.start.name;
                 one["nearest_mean_dE2000"] = m.start.mean_delta_e_2000;
                 one["match"] = match_of(m.match);

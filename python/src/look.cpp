@@ -10,6 +10,7 @@
 #include "arrays.h"
 #include "bind.h"
 #include "nacre/bsdf/leaning_flakes.h"
+#include "nacre/models/models.h"
 #include "nacre/nacre.h"
 #include "paint_handle.h"
 #include "work.h"
@@ -25,7 +26,9 @@ using bsdf::BoundBsdf;
 using bsdf::Wavelengths;
 
 Vec3f direction(const char* name, const double* w) {
-    const Vec3d v{w[0], w[1], w[2]};
+    const double largest = std::max({std::abs(w[0]), std::abs(w[1]), std::abs(w[2])});
+    const double safe = largest > 0 && std::isfinite(largest) ? largest : 1;
+    const Vec3d v{w[0] / safe, w[1] / safe, w[2] / safe};  // whose square is neither 0 nor infinite
     const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     if (!(length > 0) || !std::isfinite(length)) {
         throw DomainError(std::string(name) + ": a direction must be finite and have a length");
@@ -127,18 +130,48 @@ NumpyArray<float> albedo(const Look& look, const Doubles& wi, const Doubles& nm)
     return to_numpy(std::move(values), places.shape_with(width));
 }
 
+/// Of these wavelengths those that a solution at the paint's own does not reach: then all, to be
+/// solved for; else none.
+/// @throws InputError if a solved paint does not reach them
+SolveSettings beyond_the_usual(const Paint& paint, const std::optional<Model>& model,
+                               const std::vector<double>& nm) {
+    const Model shown = model.value_or(models::default_model());
+    const bool solved = paint.kind() == Kind::solved_paint;
+    if (!(solved || paint.kind() == Kind::recipe) || shown.makes_table() ||
+        shown.info().solution == bsdf::Solution::none) {
+        return {};
+    }
+    const std::vector<double> usual =
+        solved ? paint.solved()->wavelengths_nm() : spectra::default_wavelengths_nm();
+    const auto reached = [&](double w) { return w >= usual.front() && w <= usual.back(); };
+    if (std::ranges::all_of(nm, reached)) return {};
+    SolveSettings settings;
+    settings.wavelengths_nm = nm;
+    if (solved) {  // which has no others
+        std::erase_if(settings.wavelengths_nm, reached);
+        (void)paint.solved(settings);
+    }
+    return settings;
+}
+
 /// Made once and kept with the paint, as its tables take tenths of a second.
 std::shared_ptr<const Look> look_of(const PaintHandle& handle, const std::optional<Model>& model,
-                                    const nb::object& progress) {
-    for (const auto& [known, look] : handle.looks) {
-        if (known == model) return look;
+                                    const Doubles& wavelengths_nm, const nb::object& progress) {
+    const std::vector<double> nm = to_vector(wavelengths_nm);
+    for (double w : nm) {
+        require_in_range(w, paint::limits::kWavelength.lo, paint::limits::kWavelength.hi,
+                         "wavelength in nm");
+    }
+    const SolveSettings solve = beyond_the_usual(handle.paint, model, nm);
+    for (const auto& known : handle.looks) {
+        if (known.model == model && known.solve == solve) return known.look;
     }
     const auto look = run(progress, [&](const Progress& ask) {
-        return std::make_shared<const Look>(Look{handle.paint.appearance(model, {}, ask)});
+        return std::make_shared<const Look>(Look{handle.paint.appearance(model, solve, ask)});
     });
     constexpr std::size_t kKept = 2;
     if (handle.looks.size() == kKept) handle.looks.erase(handle.looks.begin());
-    handle.looks.emplace_back(model, look);
+    handle.looks.push_back({model, solve, look});
     return look;
 }
 
@@ -149,7 +182,8 @@ void bind_look(nb::module_& module) {
         .def("sample", &sample, "wi"_a, "u"_a, "wavelengths_nm"_a)
         .def("pdf", &pdf, "wi"_a, "wo"_a, "wavelengths_nm"_a)
         .def("albedo", &albedo, "wi"_a, "wavelengths_nm"_a);
-    module.def("look", &look_of, "paint"_a, "model"_a.none(), "progress"_a.none());
+    module.def("look", &look_of, "paint"_a, "model"_a.none(), "wavelengths_nm"_a,
+               "progress"_a.none());
 }
 
 }  // namespace nacre::python

@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <charconv>
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bind.h"
@@ -20,6 +23,38 @@ std::string keyword(std::string_view flag) {
         if (c == '-') c = '_';
     }
     return name;
+}
+
+/// The largest specimen, as of a scene: up to here a double is every whole number.
+constexpr std::uint64_t kMaxSpecimen = std::uint64_t{1} << 53;
+
+/// Which panel of the batch: what a scene may say. @throws SettingError
+std::uint64_t specimen_of(const std::string& text) {
+    std::uint64_t number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [last, error] = std::from_chars(text.data(), end, number);
+    if (error != std::errc() || last != end || number > kMaxSpecimen) {
+        throw SettingError("specimen",
+                           fmt::format("must be a whole number in [0, {}]", kMaxSpecimen),
+                           text.empty() ? "\"\"" : text);
+    }
+    return number;
+}
+
+/// An option as Python spells it. @throws SettingError
+void choose(bsdf::Model& model, const bsdf::ModelOption& option, const std::string& key,
+            const std::string& value) {
+    try {
+        set_option(model, option, value);
+    } catch (const SettingError& error) {
+        throw SettingError(key, error.reason(), value);
+    } catch (const DomainError& error) {
+        // "--hot-spot = 2: must be on or off"
+        const std::string_view message = error.what();
+        const std::string start = fmt::format("{} = {}: ", option.flag, value);
+        throw SettingError(
+            key, std::string(message.substr(message.starts_with(start) ? start.size() : 0)), value);
+    }
 }
 
 template <class Parse>
@@ -46,7 +81,7 @@ bsdf::Model configured_model(const std::string& name, const ModelChoices& option
     bsdf::Model model = info->standard();
     for (const auto& [key, value] : options) {
         if (key == "specimen" && model.specimen()) {
-            model.set_specimen(std::stoull(value));
+            model.set_specimen(specimen_of(value));
             continue;
         }
         const bsdf::ModelOption* option = nullptr;
@@ -63,13 +98,7 @@ bsdf::Model configured_model(const std::string& name, const ModelChoices& option
                             did_you_mean(key, names),
                             names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
         }
-        try {
-            set_option(model, *option, value);
-        } catch (const SettingError&) {
-            throw;
-        } catch (const DomainError& error) {
-            throw SettingError(error.what());
-        }
+        choose(model, *option, key, value);
     }
     return model;
 }

@@ -26,7 +26,7 @@ using optics::Polarization;
 NumpyArray<std::complex<double>> index_of(const Material& material, const Doubles& nm) {
     const Broadcast<1> places({&nm}, {"wavelengths_nm"}, 1);
     std::vector<std::complex<double>> values(nm.size());
-    for (std::size_t i = 0; i < nm.size(); ++i) values[i] = material.index(nm.data()[i]);
+    for_each(nm.size(), [&](std::size_t i) { values[i] = material.index(nm.data()[i]); });
     return to_numpy(std::move(values), places.shape());
 }
 
@@ -51,14 +51,14 @@ nb::tuple film(const Material& ambient, const std::vector<Material>& materials,
     // What depends on the wavelength alone, before the loop.
     std::vector<optics::ComplexIndex> above(width), below(width);
     std::vector<optics::ThinFilm> stacks(width * films);
-    for (std::size_t w = 0; w < width; ++w) {
+    for_each(width, [&](std::size_t w) {
         const double nm = wavelengths_nm.data()[w];
         above[w] = ambient.index(nm);
         below[w] = substrate.index(nm);
         for (std::size_t i = 0; i < films; ++i) {
             stacks[w * films + i] = {materials[i].index(nm), thickness_nm[i]};
         }
-    }
+    });
     std::vector<double> r(places.size() * width), t(r.size());
     for_each(places.size(), [&](std::size_t place) {
         const double cosine = std::cos(*places.at(0, place) * std::numbers::pi / 180);
@@ -81,10 +81,10 @@ template <class F>
 NumpyArray<double> map_triples(const Doubles& in, const char* name, const F& f) {
     const Broadcast<1> places({&in}, {name}, 3);
     std::vector<double> out(3 * places.size());
-    for (std::size_t i = 0; i < places.size(); ++i) {
+    for_each(places.size(), [&](std::size_t i) {
         const Vec3d value = f(triple(places.at(0, i)));
         for (int c = 0; c < 3; ++c) out[3 * i + static_cast<std::size_t>(c)] = value[c];
-    }
+    });
     return to_numpy(std::move(out), places.shape_with(3));
 }
 
@@ -96,7 +96,7 @@ nb::tuple colours(const Doubles& wavelengths_nm, const Doubles& reflectance,
     const Broadcast<1> places({&reflectance}, {"reflectance"}, nm.size());
     const measure::Conditions conditions{illuminant(illuminant_name), observer(observer_name), {}};
     std::vector<double> xyz(3 * places.size()), lab(xyz.size());
-    for (std::size_t i = 0; i < places.size(); ++i) {
+    for_each(places.size(), [&](std::size_t i) {
         const double* r = places.at(0, i);
         const measure::Reading reading = measure::coloured({}, nm, {r, r + nm.size()}, conditions);
         for (int c = 0; c < 3; ++c) {
@@ -104,7 +104,7 @@ nb::tuple colours(const Doubles& wavelengths_nm, const Doubles& reflectance,
             xyz[at] = reading.xyz[c];
             lab[at] = reading.lab[c];
         }
-    }
+    });
     const Shape shape = places.shape_with(3);
     return nb::make_tuple(to_numpy(std::move(xyz), shape), to_numpy(std::move(lab), shape));
 }
@@ -112,9 +112,9 @@ nb::tuple colours(const Doubles& wavelengths_nm, const Doubles& reflectance,
 NumpyArray<double> delta_e_2000(const Doubles& lab1, const Doubles& lab2) {
     const Broadcast<2> places({&lab1, &lab2}, {"lab1", "lab2"}, 3);
     std::vector<double> values(places.size());
-    for (std::size_t i = 0; i < values.size(); ++i) {
+    for_each(values.size(), [&](std::size_t i) {
         values[i] = spectra::delta_e_2000(triple(places.at(0, i)), triple(places.at(1, i)));
-    }
+    });
     return to_numpy(std::move(values), places.shape());
 }
 

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/map.h>
@@ -109,10 +110,30 @@ double azimuth_from_lean(const double* wi, const double* wo) {
 }
 
 void require_direction(const char* name, const double* w) {
-    const double square = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
-    if (!(square > 0) || !std::isfinite(square)) {
+    const bool finite = std::isfinite(w[0]) && std::isfinite(w[1]) && std::isfinite(w[2]);
+    if (!finite || (w[0] == 0 && w[1] == 0 && w[2] == 0)) {
         throw DomainError(std::string(name) + ": a direction must be finite and have a length");
     }
+}
+
+void require_polar_angle(const char* name, double deg) {
+    if (!(deg >= 0 && deg < 90)) {
+        throw SettingError(name, "must be in [0, 90) deg", fmt::format("{}", deg));
+    }
+}
+
+void require_finite_angle(const char* name, double deg) {
+    if (!std::isfinite(deg)) throw SettingError(name, "must be finite", fmt::format("{}", deg));
+}
+
+bool asks_for_none(const OptionalDoubles& wavelengths_nm) {
+    return wavelengths_nm && wavelengths_nm->size() == 0;
+}
+
+/// The values at no wavelengths.
+template <std::size_t N>
+NumpyArray<double> none_of(const Broadcast<N>& places) {
+    return to_numpy(std::vector<double>(), places.shape_with(0));
 }
 
 NumpyArray<double> brdf_by_directions(const PaintHandle& handle, const Doubles& wi,
@@ -121,6 +142,7 @@ NumpyArray<double> brdf_by_directions(const PaintHandle& handle, const Doubles& 
                                       bool as_rendered, const Patch& patch,
                                       const nb::object& progress) {
     const Broadcast<2> places({&wi, &wo}, {"wi", "wo"}, 3);
+    if (asks_for_none(wavelengths_nm)) return none_of(places);
     const auto brdf =
         brdf_of(handle, settings_of(wavelengths_nm, model, part, as_rendered), patch, progress);
     const std::size_t width = brdf->wavelengths_nm().size();
@@ -151,6 +173,12 @@ NumpyArray<double> brdf_by_angles(const PaintHandle& handle, const Doubles& thet
                                   const nb::object& progress) {
     const Broadcast<3> places({&theta_i_deg, &theta_o_deg, &phi_deg},
                               {"theta_i_deg", "theta_o_deg", "phi_deg"}, 1);
+    for (std::size_t place = 0; place < places.size(); ++place) {
+        require_polar_angle("theta_i_deg", *places.at(0, place));
+        require_polar_angle("theta_o_deg", *places.at(1, place));
+        require_finite_angle("phi_deg", *places.at(2, place));
+    }
+    if (asks_for_none(wavelengths_nm)) return none_of(places);
     const auto brdf =
         brdf_of(handle, settings_of(wavelengths_nm, model, part, as_rendered), patch, progress);
     const std::size_t width = brdf->wavelengths_nm().size();
@@ -174,9 +202,18 @@ std::vector<Parameter> parameters(const PaintHandle& handle) {
     return all;
 }
 
+/// Of the one number that a key, or the end of one, means. @throws DomainError as Paint::with()
+std::string whole_key(const PaintHandle& handle, const std::string& key) {
+    const std::vector<std::string> keys = paint::matching_parameters(handle.paint.recipe(), key);
+    if (keys.size() != 1) {
+        throw SettingError(key, "means " + std::to_string(keys.size()) + " numbers, such as " +
+                                    keys[0] + "; must mean one");
+    }
+    return keys[0];
+}
+
 double value_of(const PaintHandle& handle, const std::string& key) {
-    const paint::Recipe& recipe = handle.paint.recipe();
-    return paint::find_parameter(recipe, paint::matching_parameters(recipe, key).at(0)).value;
+    return paint::find_parameter(handle.paint.recipe(), whole_key(handle, key)).value;
 }
 
 nb::dict solve(const PaintHandle& handle, const OptionalDoubles& wavelengths_nm, int exit_nodes,
@@ -333,8 +370,8 @@ void bind_paint(nb::module_& module) {
             "path"_a, nb::call_guard<nb::gil_scoped_release>())
         .def_static("from_bytes", &from_bytes, "data"_a, "name"_a, "folder"_a.none())
         .def_prop_ro("kind", [](const PaintHandle& p) { return name_of(p.paint.kind()); })
-        .def_prop_ro("file", [](const PaintHandle& p) { return p.paint.file(); })
-        .def_prop_ro("name", [](const PaintHandle& p) { return p.paint.name(); })
+        .def_prop_ro("file", [](const PaintHandle& p) { return path_text(p.paint.file()); })
+        .def_prop_ro("name", [](const PaintHandle& p) { return path_text(p.paint.name()); })
         .def_prop_ro("sha256", [](const PaintHandle& p) { return p.paint.recipe_sha256(); })
         .def("toml",
              [](const PaintHandle& p) {
@@ -342,6 +379,7 @@ void bind_paint(nb::module_& module) {
                                          p.paint.correlations());
              })
         .def("parameters", &parameters)
+        .def("whole_key", &whole_key, "key"_a)
         .def("value", &value_of, "key"_a)
         .def(
             "with_value",

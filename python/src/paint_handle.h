@@ -30,9 +30,15 @@ struct PaintHandle {
         std::shared_ptr<const PaintBrdf> brdf;
     };
 
+    struct KnownLook {
+        std::optional<Model> model;
+        SolveSettings solve;
+        std::shared_ptr<const Look> look;
+    };
+
     Paint paint;
     mutable std::vector<Known> brdfs = {};
-    mutable std::vector<std::pair<std::optional<Model>, std::shared_ptr<const Look>>> looks = {};
+    mutable std::vector<KnownLook> looks = {};
 };
 
 }  // namespace nacre::python

@@ -104,7 +104,7 @@ Share share_of(std::pair<int, int> number_and_count) {
     return {number_and_count.first, number_and_count.second};
 }
 
-nb::object render(const std::string& scene_name, const std::optional<PaintHandle>& paint,
+nb::object render(const std::filesystem::path& scene_name, const std::optional<PaintHandle>& paint,
                   const std::optional<std::pair<std::string, ModelChoices>>& model,
                   const RenderSettings& settings, const PictureParts& parts,
                   const nb::object& progress) {
@@ -114,7 +114,7 @@ nb::object render(const std::string& scene_name, const std::optional<PaintHandle
         ScenePaints paints;
         if (paint) paints.slot = paint->paint;
         if (model) paints.model = render_model(model->first, model->second);
-        render::SceneDescription description = find_scene(scene_name);
+        render::SceneDescription description = find_scene(scene_name.string());
         if (parts.turntable) {
             description = render::turned(std::move(description),
                                          render::turning_called(parts.turntable->first),
@@ -191,7 +191,7 @@ NB_MODULE(_render, module) {
         "shares"_a, nanobind::call_guard<nanobind::gil_scoped_release>());
     module.def(
         "render",
-        [](const std::string& scene, const std::optional<PaintHandle>& paint,
+        [](const std::filesystem::path& scene, const std::optional<PaintHandle>& paint,
            const std::optional<std::pair<std::string, ModelChoices>>& model, int width, int height,
            int spp, std::uint64_t seed, int depth, double footprint_pixels, bool sparkle,
            bool noise, int spectral_bins,

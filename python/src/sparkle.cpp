@@ -1,9 +1,16 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "arrays.h"
 #include "bind.h"
+#include "nacre/models/models.h"
 #include "nacre/nacre.h"
 #include "paint_handle.h"
 #include "work.h"
@@ -13,6 +20,23 @@ namespace nacre::python {
 namespace {
 
 using namespace nb::literals;
+
+/// @throws SettingError
+void require_sparkle(const Model& model) {
+    const bsdf::ModelInfo& info = model.info();
+    if (info.can.sparkle && !info.can.reference_only) return;
+    std::vector<std::string_view> others;
+    for (const bsdf::ModelInfo* known : models::all_models()) {
+        if (known->can.sparkle && !known->can.reference_only) others.push_back(known->name);
+    }
+    throw SettingError(
+        "model",
+        fmt::format("{}, so that there is no sparkle to be measured; must be {}",
+                    info.can.reference_only ? "follows light and has no values"
+                                            : "shows no single flakes",
+                    fmt::join(others, " or ")),
+        std::string(info.name));
+}
 
 nb::object pair_of(const std::optional<Estimate>& estimate, double scale = 1) {
     if (!estimate) return nb::none();
@@ -57,6 +81,7 @@ void bind_sparkle(nb::module_& module) {
            double lamp_half_angle_deg, double field_mm, double pixel_um, int diffuse_samples,
            double panel_mm, double distance_mm, double illuminance_lx, std::uint64_t seed,
            const nb::object& progress) {
+            require_sparkle(model);
             SparkleSettings settings;
             settings.camera = {.pixel_um = pixel_um,
                                .field_mm = field_mm,

@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <string_view>
 #include <thread>
 
 namespace nacre::python {
@@ -23,10 +24,20 @@ struct Work {
     std::atomic<bool> stop{false};
 };
 
+/// Whether a function returned False, Python's or one of numpy's; what is no truth value is none.
+/// @throws nb::python_error
+bool is_false(const nb::object& returned) {
+    if (returned.is(nb::bool_(false))) return true;
+    if (!nb::hasattr(returned, "dtype")) return false;
+    const nb::object kind = nb::getattr(returned.attr("dtype"), "kind", nb::none());
+    return nb::isinstance<nb::str>(kind) && std::string_view(nb::cast<nb::str>(kind).c_str()) == "b" &&
+           !nb::bool_(returned);
+}
+
 /// Lets Python act on signals and hear of the progress. @throws nb::python_error
 bool goes_on(const nb::object& progress, double fraction) {
     if (PyErr_CheckSignals() != 0) nb::raise_python_error();
-    return progress.is_none() || !progress(fraction).is(nb::bool_(false));
+    return progress.is_none() || !is_false(progress(fraction));
 }
 
 }  // namespace

@@ -332,6 +332,27 @@ def test_samples_follow_their_density(paints: Path, name: str, shown: bool, angl
     assert test.run(0.01, test_count=4), test.messages
 
 
+def test_a_paint_blended_with_itself_is_the_same(paints: Path) -> None:
+    """blendbsdf asks each of both for the value of what the other one drew, also where it drew
+    nothing. Of a smooth interface it gets the share of its mirror direction wrong by itself."""
+    paint = {"type": "nacre", "recipe": str(paints / "satin-silver.toml")}
+    blend = {"type": "blendbsdf", "weight": 0.5, "a": paint, "b": paint}
+    count, context = 100_000, mi.BSDFContext()
+    si = interaction(np.tile([np.sin(0.5), 0, np.cos(0.5)], (count, 1)), NODES)
+    u = mi.PCG32(size=count)
+    draws = [u.next_float32() for _ in range(3)]
+    drawn = draws[0], mi.Point2f(draws[1], draws[2])
+    sample, weight = mi.load_dict(paint).sample(context, si, *drawn)
+    failed = np.array(sample.pdf) == 0
+    assert 0 < np.mean(failed) < 0.5
+    assert np.all(np.array(sample.wo)[2][failed] < 0)
+    assert np.all(np.array(weight)[:, failed] == 0)
+    of_both = np.array(mi.load_dict(blend).sample(context, si, *drawn)[1])
+    of_one = np.array(weight)
+    error = np.hypot(of_one.std(axis=1), of_both.std(axis=1)) / np.sqrt(count)
+    assert np.all(np.abs(of_both.mean(axis=1) - of_one.mean(axis=1)) < 4 * error)
+
+
 @pytest.mark.parametrize("shown", [False, True], ids=["mean", "flakes"])
 def test_weights_add_up_to_the_albedo(paints: Path, shown: bool) -> None:
     """A ball in an even sky of radiance 1 shows the directional albedo."""
@@ -429,6 +450,11 @@ def test_wrong_settings_are_named(paints: Path, tmp_path: Path) -> None:
         ({"recipe": str(wavy)}, "orange_peel"),
         ({"recipe": str(leaning)}, "lean.tilt_deg = 4"),
         ({"recipe": str(mottled)}, "thickness_spread_um"),
+        ({"recipe": recipe, "specimen": -1}, "specimen = -1: must be a whole number"),
+        ({"recipe": recipe, "specimen": 1.7}, "specimen = 1.7: must be a whole number"),
+        ({"recipe": recipe, "hot_spot": "no"}, "hot_spot = no: must be true or false"),
+        ({"recipe": recipe, "bands": 2.5}, "bands = 2.5: must be a whole number"),
+        ({"recipe": recipe, "to_rest": 3}, "to_rest = 3: must be a transformation"),
     ):
         with pytest.raises(Exception, match=text):
             mi.load_dict({"type": "nacre", **settings})

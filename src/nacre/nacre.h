@@ -340,7 +340,8 @@ class Paint {
     io::RecipeText recipe_text(const References& there) const;
 
     /// The paint solved: as its file holds it, whatever the settings' resolution, or its recipe
-    /// solved, once for all copies of this paint, when first asked with such settings.
+    /// solved, once for all copies of this paint, when first asked with such settings; the last
+    /// eight are kept.
     /// @throws InputError as recipe(), if the recipe cannot be solved, or if the file holds the
     ///         solution at other wavelengths
     /// @throws DomainError if the settings are out of range; Error as solver::solve()

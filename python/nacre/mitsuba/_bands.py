@@ -92,6 +92,10 @@ class Source:
             value += mi.TensorXf(single(slope)) * t.delta
         return value
 
+    def number(self, build: Callable[[Arrays], float]) -> Float:
+        """As scalar(), but where there are no derivatives Python's, in double precision."""
+        return self.scalar(build) if self.tangents else float(build(self.base))
+
     def scalar(self, build: Callable[[Arrays], float]) -> Float:
         value = mi.Float(build(self.base))
         for t in self.tangents:
@@ -166,10 +170,15 @@ def texture(dimension: int, data: Any) -> Any:
     )
 
 
+def columns(values: Any) -> NDArray[Any]:
+    """Functions of a direction (D,) or (D, channels), as the data of a texture."""
+    array = np.asarray(values)
+    return array.reshape(len(array), -1)
+
+
 def column_texture(values: Any) -> Any:
-    """Of functions of a direction (D,) or (D, channels), even in tan(theta / 2) from 0 to 1."""
-    columns = np.asarray(values)
-    return texture(1, mi.TensorXf(single(columns.reshape(len(columns), -1))))
+    """Of functions of a direction, even in tan(theta / 2) from 0 to 1."""
+    return texture(1, mi.TensorXf(single(columns(values))))
 
 
 def by_direction(table: Any, x: Float) -> list[Float]:

@@ -16,8 +16,8 @@ MIN_SUM = 0.1
 class CoatTilt:
     """Cosines are those inside a smooth coat."""
 
-    def __init__(self, roughness: float, ior: float) -> None:
-        self.rough = roughness > 0
+    def __init__(self, rough: bool, roughness: Float, ior: Float) -> None:
+        self.rough = rough
         self.roughness2 = roughness * roughness
         self.beyond = 1 - 1 / (ior * ior)
 

@@ -174,7 +174,8 @@ class Films:
             ratio = a["species"][species]["film_ratio"]
             return [ratio.reshape(-1, ratio.shape[-1])]
 
-        self.table = Table(smooth.bands, source, rows)
+        # Without derivatives, as flakes are not shown where there are any.
+        self.table = Table(smooth.bands, Source(source.base), rows)
 
     def ratio(self, film: Any, pair: Pair) -> Wide:
         """film: the flake's 32 bits."""
@@ -190,7 +191,7 @@ class SparkleModel:
     def __init__(self, smooth: Microflake, source: Source) -> None:
         a = source.base
         self.smooth = smooth
-        self.hot_spot = HotSpot(smooth, a) if a["hot_spot"] is not None else None
+        self.hot_spot = HotSpot(smooth, source) if a["hot_spot"] is not None else None
         self.mean = self.hot_spot or MeanFlakes()
         self.fields = [Field(a, species, smooth.coat) for species in a["species"]]
         self.films = [

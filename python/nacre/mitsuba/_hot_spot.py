@@ -9,7 +9,7 @@ import drjit as dr
 import mitsuba as mi
 import numpy as np
 
-from ._bands import Arrays, Float, Wide
+from ._bands import Arrays, Float, Source, Wide
 from ._microflake import MeanFlakes, Microflake, Pair, mean_escape
 
 NODES = 10
@@ -31,10 +31,15 @@ def overlap_integral(x: Float) -> Float:
 class HotSpot(MeanFlakes):
     """The mean of all flakes, with the hot spot."""
 
-    def __init__(self, smooth: Microflake, a: Arrays) -> None:
+    def __init__(self, smooth: Microflake, source: Source) -> None:
         self.smooth = smooth
-        species = a["hot_spot"]["species"]
-        self.species = [(int(s["layer"]), float(s["diameter_um"])) for s in species]
+        self.species: list[tuple[int, Float]] = []
+        for n, species in enumerate(source.base["hot_spot"]["species"]):
+
+            def diameter(arrays: Arrays, n: int = n) -> float:
+                return float(arrays["hot_spot"]["species"][n]["diameter_um"])
+
+            self.species.append((int(species["layer"]), source.number(diameter)))
         # With their gradients.
         self.thickness = [thickness for thickness, _, _ in smooth.layers]
         self.top: list[Float] = [mi.Float(0)]

@@ -25,7 +25,7 @@ from ._bands import (
     Where,
     Wide,
     by_direction,
-    column_texture,
+    columns,
     dr_array,
     single,
     texture,
@@ -149,7 +149,7 @@ class _Flake:
 
 @dataclass
 class _Pigment:
-    g: float
+    g: Float
     scattering: int  # channel
     phase: int | None  # channel; None: Henyey and Greenstein's of g
 
@@ -166,16 +166,19 @@ class Microflake:
     def __init__(self, source: Source, bands: Bands) -> None:
         a = source.base
         self.bands = bands
-        self.mean_ior = float(a["mean_ior"])
-        self.rough = float(a["coat_roughness"])
-        self.coat = CoatTilt(self.rough, self.mean_ior)
+        self.refracts = float(a["mean_ior"]) != 1
+        self.mean_ior = source.number(lambda x: x["mean_ior"])
+        self.rough = float(a["coat_roughness"]) > 0
+        self.roughness = source.number(lambda x: x["coat_roughness"])
+        self.coat = CoatTilt(self.rough, self.roughness, self.mean_ior)
         self.dispersive = bool(np.ptp(a["ior"]) > 0)
         self.directions = DirectionTables(bands, source)
         self.by_wavelength = Table(bands, source, self._by_wavelength)
         self._set_smooth(source)
         self._set_layers(source)
-        if self.rough > 0:
-            self.masking = column_texture(a["masking_over_cosine"])
+        if self.rough:
+            masking = source.tensor(lambda x: columns(x["masking_over_cosine"]))
+            self.masking = texture(1, masking)
 
     @staticmethod
     def _by_wavelength(a: Arrays) -> list[NDArray[Any]]:
@@ -280,7 +283,7 @@ class Microflake:
         self.layers: list[tuple[Float, list[_Flake], list[_Pigment]]] = []
         reflectances: list[tuple[int, int]] = []
         phases: list[tuple[int, int]] = []
-        channel = 2 + (self.rough > 0)
+        channel = 2 + self.rough
         for n, layer in enumerate(a["layers"]):
             flakes = []
             for f in range(len(layer["flakes"])):
@@ -298,7 +301,11 @@ class Microflake:
                 reflectances.append((n, f))
             pigments = []
             for k, pigment in enumerate(layer["pigments"]):
-                pigments.append(_Pigment(float(pigment["anisotropy"]), channel, None))
+
+                def anisotropy(arrays: Arrays, n: int = n, k: int = k) -> float:
+                    return float(arrays["layers"][n]["pigments"][k]["anisotropy"])
+
+                pigments.append(_Pigment(source.number(anisotropy), channel, None))
                 channel += 1
                 if len(pigment["phase"]):
                     pigments[-1].phase = len(phases)
@@ -328,9 +335,8 @@ class Microflake:
         tables = self.directions.table.look_up(x * (rows - 1), where, active)
         return Ray(w, sine2, x, self.refract_in(w, 1 / self.mean_ior), tables)
 
-    @staticmethod
-    def refract_in(w: Vector, inverse_ior: float) -> Vector:
-        if inverse_ior == 1:
+    def refract_in(self, w: Vector, inverse_ior: Float) -> Vector:
+        if not self.refracts:
             return w
         x, y = w.x * inverse_ior, w.y * inverse_ior
         return mi.Vector3f(x, y, dr.sqrt(dr.maximum(1 - x * x - y * y, 0)))
@@ -429,7 +435,7 @@ class Microflake:
         BoundMicroflake::value()."""
         numbers = self.by_wavelength.look_up(mi.Float(0), pair.where, active)
         smooth = self._tabulated(pair, active)
-        if self.rough > 0:
+        if self.rough:
             mean = smooth + self._rough_lobe(pair, numbers)
             if flakes.averaged is None:
                 return mean
@@ -462,7 +468,7 @@ class Microflake:
         i, o = pair.i, pair.o
         h = i.outside + o.outside
         tan2 = (h.x * h.x + h.y * h.y) / (h.z * h.z)
-        sec2, a2 = 1 + tan2, self.rough * self.rough
+        sec2, a2 = 1 + tan2, self.roughness * self.roughness
         facets = dr.exp(-dr.minimum(tan2 / a2, 60)) * (dr.inv_pi / a2) * sec2 * sec2
         facets = dr.select(tan2 < 60 * a2, facets, 0)
         cosine = dr.minimum(0.5 * dr.norm(h), 1)

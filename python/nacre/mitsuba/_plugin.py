@@ -16,7 +16,7 @@ from .._paint import Paint
 from ._bands import Bands, Source, Tangent
 from ._bits import SHORT_GOLDEN, no, u32
 from ._flakes import Sparkle, SparkleModel
-from ._microflake import MeanFlakes, Microflake, Pair
+from ._microflake import DirectionTables, MeanFlakes, Microflake, Pair
 from ._patch import Footprint
 from ._sampling import Sampling
 
@@ -26,6 +26,12 @@ FLAKES = 0.85
 """Of the probability of flakes' lobe, what goes to single flakes where all are resolved."""
 STEP = 0.01
 """Of the differences by which tables are differentiated, relative to the parameter."""
+STEP_FROM_ZERO = 0.1
+"""The same of a parameter that is 0, in its own unit, or STEP of what it may be."""
+NEXT_TO_ZERO = 0.01
+"""Of that step, in place of 0 where some tables are only of numbers above it, ..."""
+NEXT_STEP = 0.2
+"""... and the step there, relative, as these go by roots of the number."""
 
 
 def _paint_of(props: Any) -> Paint:
@@ -36,6 +42,21 @@ def _paint_of(props: Any) -> Paint:
     name = str(props["recipe"])
     found = Path(str(mi.file_resolver().resolve(name)))
     return Paint(found if found.exists() else Path(name))
+
+
+def _whole(props: Any, name: str, otherwise: int) -> int:
+    value = props.get(name, otherwise)
+    number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    if not number or not float(value).is_integer():
+        raise SettingError(f"{name} = {value}: must be a whole number", setting=name)
+    return int(value)
+
+
+def _switch(props: Any, name: str, otherwise: bool) -> bool:
+    value = props.get(name, otherwise)
+    if not isinstance(value, bool):
+        raise SettingError(f"{name} = {value}: must be true or false", setting=name)
+    return value
 
 
 def random_bits(u: Any) -> Any:
@@ -120,8 +141,8 @@ def make_plugin() -> Any:
             if name == "nacre":
                 self.model = Model(
                     name,
-                    specimen=int(props.get("specimen", 0)),
-                    hot_spot=bool(props.get("hot_spot", True)),
+                    specimen=_whole(props, "specimen", 0),
+                    hot_spot=_switch(props, "hot_spot", True),
                 )
             else:
                 self.model = Model(name)
@@ -133,18 +154,26 @@ def make_plugin() -> Any:
                 raise SettingError(f"unit_mm = {self.unit_mm}: must be in [1e-6, 1e6]")
             self.own_rest = "to_rest" in props
             self.to_rest = props.get("to_rest", mi.ScalarTransform4f())
-            self.bands = int(props.get("bands", DEFAULT_BANDS))
+            if not hasattr(self.to_rest, "matrix"):
+                raise SettingError(
+                    f"to_rest = {self.to_rest}: must be a transformation", setting="to_rest"
+                )
+            self.bands = _whole(props, "bands", DEFAULT_BANDS)
             if not 1 <= self.bands <= 256:
                 raise SettingError(f"bands = {self.bands}: must be in [1, 256]")
             self.camera: Camera | None = None
             self.last_asked: tuple[tuple[int, ...] | None, Any] = None, None
             keys = [k.strip() for k in str(props.get("differentiate", "")).split(",")]
-            self.parameters = {k: mi.Float(self.paint[k]) for k in keys if k}
+            # The key of each number as it was written, by which the scene names it.
+            self.names = {self.paint.whole_key(k): k for k in keys if k}
+            if mi.Float is float:
+                self.names = {}  # numbers of Python, which no scene can change
+            self.parameters = {k: mi.Float(self.paint[k]) for k in self.names}
             self._build()
             glossy = mi.BSDFFlags.GlossyReflection | mi.BSDFFlags.FrontSide
             first = (
                 mi.BSDFFlags.DeltaReflection | mi.BSDFFlags.FrontSide
-                if self.smooth.rough == 0
+                if not self.smooth.rough
                 else glossy
             )
             self.m_components = [int(first), int(glossy)]
@@ -156,24 +185,27 @@ def make_plugin() -> Any:
             return _nacre.appearance_arrays(paint._paint, self.model._model, None)
 
         def _build(self) -> None:
-            paint = self.paint
-            for key, value in self.parameters.items():
-                paint = paint.with_values({key: float(dr.slice(dr.detach(value)))})
-            base = self._arrays(paint)
-            tangents = []
+            paint, steps = self.paint, {}
             for key, value in self.parameters.items():
                 at = float(dr.slice(dr.detach(value)))
-                limits = next(p for k, p in paint.parameters.items() if f".{k}".endswith(f".{key}"))
-                half = max(abs(at) * STEP, 1e-6)
+                limits = paint.parameters[key]
+                half = abs(at) * STEP or min(STEP_FROM_ZERO, STEP * limits.hi)
                 low, high = max(at - half, limits.lo), min(at + half, limits.hi)
-                tangents.append(
-                    Tangent(
-                        value - dr.detach(value),
-                        self._arrays(paint.with_values({key: high})),
-                        self._arrays(paint.with_values({key: low})),
-                        high - low,
-                    )
+                if at == 0 and self._has_more_tables(paint, key, high):
+                    at = NEXT_TO_ZERO * high
+                    low, high = at * (1 - NEXT_STEP), at * (1 + NEXT_STEP)
+                steps[key] = low, high
+                paint = paint.with_values({key: at})
+            base = self._arrays(paint)
+            tangents = [
+                Tangent(
+                    self.parameters[key] - dr.detach(self.parameters[key]),
+                    self._arrays(paint.with_values({key: high})),
+                    self._arrays(paint.with_values({key: low})),
+                    high - low,
                 )
+                for key, (low, high) in steps.items()
+            ]
             source = Source(base, tangents)
             self.table_bands = Bands(base["wavelengths_nm"], self.bands)
             self.smooth = Microflake(source, self.table_bands)
@@ -181,9 +213,14 @@ def make_plugin() -> Any:
             self.sparkle = SparkleModel(self.smooth, source) if self.model.name == "nacre" else None
             self.mean = self.sparkle.mean if self.sparkle else MeanFlakes()
 
+        def _has_more_tables(self, paint: Paint, key: str, value: float) -> bool:
+            """Whether the number makes light of a kind that there is none of where it is 0."""
+            some, none = (self._arrays(paint.with_values({key: x})) for x in (value, 0.0))
+            return list(DirectionTables.channels(some)) != list(DirectionTables.channels(none))
+
         def traverse(self, callback: Any) -> None:
             for key, value in self.parameters.items():
-                callback.put(key, value, mi.ParamFlags.Differentiable)
+                callback.put(self.names[key], value, mi.ParamFlags.Differentiable)
 
         def parameters_changed(self, keys: Any = ()) -> None:
             if self.parameters:
@@ -278,7 +315,7 @@ def make_plugin() -> Any:
             """Value times cosine and density of wo, a sample and its weight; each only if wo, or
             sample1, is not None."""
             smooth, bands = self.smooth, self.table_bands
-            specular = ctx.is_enabled(mi.BSDFFlags.DeltaReflection, 0) and smooth.rough == 0
+            specular = ctx.is_enabled(mi.BSDFFlags.DeltaReflection, 0) and not smooth.rough
             rest = ctx.is_enabled(mi.BSDFFlags.GlossyReflection, 1)
             bs = mi.BSDFSample3f()
             black = bands.colour(bands.constant(0))
@@ -313,7 +350,7 @@ def make_plugin() -> Any:
                 flakes.survey(random_bits(sample1))
             chances, one = self._chances(ctx, i, flakes)
             # In this order: the interface, lobes of all flakes, evenly, one flake.
-            is_delta = mi.Bool(smooth.rough == 0) & (sample1 < chances[0])
+            is_delta = mi.Bool(not smooth.rough) & (sample1 < chances[0])
             drawn = self.sampling.draw(chances, i, dr.minimum(sample1, 1 - one), sample2)
             if isinstance(flakes, Sparkle):
                 drawn = dr.select(sample1 >= 1 - one, flakes.draw(sample2), drawn)
@@ -329,8 +366,9 @@ def make_plugin() -> Any:
             weight = dr.select(glossy, dr.maximum(f, 0) * (drawn.z / dr.maximum(pdf, 1e-30)), 0)
             reflected = smooth.specular(si.wi.z, where, active) / dr.maximum(chances[0], 1e-30)
             weight = dr.select(active & is_delta, reflected, weight)
-            bs.wo = drawn
             bs.pdf = dr.select(active, dr.select(is_delta, chances[0], pdf), 0)
+            # Below the horizon where none leaves: blendbsdf and the like ask for its value again.
+            bs.wo = dr.select(bs.pdf > 0, drawn, -up)
             bs.eta = 1.0
             bs.sampled_type = dr.select(
                 is_delta,

@@ -141,9 +141,13 @@ std::string Paint::State::label() const { return file.empty() ? "recipe" : file;
 std::shared_ptr<Paint::State::Solution> Paint::State::solution(
     const SolveSettings& settings) const {
     const std::lock_guard lock(mutex);
-    for (const auto& known : solutions) {
-        if (known->settings == settings) return known;
+    const auto known = std::ranges::find_if(
+        solutions, [&](const auto& solution) { return solution->settings == settings; });
+    if (known != solutions.end()) {
+        std::rotate(known, known + 1, solutions.end());  // the last one asked for stands last
+        return solutions.back();
     }
+    if (solutions.size() == kKeptSolutions) solutions.erase(solutions.begin());
     solutions.push_back(std::make_shared<Solution>());
     solutions.back()->settings = settings;
     return solutions.back();

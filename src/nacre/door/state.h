@@ -89,6 +89,8 @@ struct Paint::State {
                                                  const SolveSettings& solve) const;
 
     mutable std::mutex mutex;  // of the lists, not of their entries
+    static constexpr std::size_t kKeptSolutions = 8;
+    /// Those that were asked for last, the last one last.
     mutable std::vector<std::shared_ptr<Solution>> solutions;
     mutable std::vector<Look> looks;
 };

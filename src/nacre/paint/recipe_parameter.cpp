@@ -44,6 +44,7 @@ struct Slot {
                 return;
             }
             const double largest = spectrum.max();
+            if (value == largest) return;  // the other samples keep their last bits too
             std::vector<double> values = spectrum.values();
             // The largest sample itself gets the value, to the last bit.
             for (double& x : values) x = x == largest ? value : value * (x / largest);
