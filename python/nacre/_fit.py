@@ -188,7 +188,9 @@ def fit(
         If ``progress`` returned False.
     """
     if (start is None) == (library is None):
-        raise SettingError("start or library: one of them says where the fit starts", setting="start")
+        raise SettingError(
+            "start or library: one of them says where the fit starts", setting="start"
+        )
     if library is not None and free is not None:
         raise SettingError(
             "free: belongs to start; a library's sweeps say what varies", setting="free"

@@ -104,7 +104,9 @@ class Measurement:
 
         paint = Paint(path)
         if paint.kind != "measured_colours":
-            raise SettingError(f"path = {os.fspath(path)}: holds no measured colours", setting="path")
+            raise SettingError(
+                f"path = {os.fspath(path)}: holds no measured colours", setting="path"
+            )
         return paint.measure()
 
     @classmethod

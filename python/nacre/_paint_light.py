@@ -115,7 +115,7 @@ class PaintLight(OpenedPaint):
         wi
             Directions (..., 3) towards the eye.
         wavelengths_nm
-            One to eight, which share the direction.
+            One to eight, which share the direction; as for :meth:`albedo`.
         rng
             A generator of numpy or its seed.
         u
@@ -153,7 +153,9 @@ class PaintLight(OpenedPaint):
         progress: Progress = False,
     ) -> Floats32:
         """Directional-hemispherical reflectance (..., W), specular reflection included: a table
-        for renderers, within 5e-3. The integral of :meth:`brdf` is exact."""
+        for renderers, within 5e-3. The integral of :meth:`brdf` is exact. Between 400 and 700 nm
+        from the solution at :attr:`wavelengths_nm`; beyond, of one for those that are asked for.
+        """
         nm = _some(self.wavelengths_nm if wavelengths_nm is None else wavelengths_nm)
         with reporter(progress, "prepare") as report:
             look = _nacre.look(self._paint, settings_of(model), nm, report)
@@ -253,7 +255,7 @@ class PaintLight(OpenedPaint):
 
     @property
     def warnings(self) -> list[str]:
-        """What the solver could not resolve, of all solutions so far."""
+        """What the solver could not resolve, of the last eight solutions."""
         return list(self._paint.warnings())
 
     @property

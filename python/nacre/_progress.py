@@ -9,8 +9,8 @@ from typing import Any
 
 Progress = bool | Callable[[float], object]
 """False: silent. True: a bar, by tqdm where it is installed. A function is called several times a
-second with the fraction done, in [0, 1], from the calling thread; where it returns False the work
-is asked to stop, and raises Stopped unless it has something to hand over."""
+second with the fraction done, in [0, 1], from the calling thread; where it returns False (or
+NumPy's) the work is asked to stop, and raises Stopped unless it has something to hand over."""
 
 
 class _Line:

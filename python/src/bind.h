@@ -23,6 +23,12 @@ inline nb::object path_text(const std::string& path) {
         PyUnicode_DecodeFSDefaultAndSize(path.data(), static_cast<Py_ssize_t>(path.size())));
 }
 
+/// A name, which is UTF-8 unless it is that of a file.
+inline nb::object name_text(const std::string& name) {
+    return nb::steal(
+        PyUnicode_DecodeUTF8(name.data(), static_cast<Py_ssize_t>(name.size()), "surrogateescape"));
+}
+
 void bind_paint(nb::module_& module);
 void bind_look(nb::module_& module);
 void bind_appearance_arrays(nb::module_& module);

@@ -75,8 +75,8 @@ nb::dict estimate_of(const fit::PigmentEstimate& estimate, double anisotropy,
 /// What is not UTF-8 in it replaced, as files are in UTF-8.
 std::string utf8_of(const std::filesystem::path& path) {
     const std::string text = path.string();
-    return nb::cast<std::string>(nb::steal(PyUnicode_DecodeUTF8(
-        text.data(), static_cast<Py_ssize_t>(text.size()), "replace")));
+    return nb::cast<std::string>(nb::steal(
+        PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace")));
 }
 
 }  // namespace
@@ -84,10 +84,10 @@ std::string utf8_of(const std::filesystem::path& path) {
 void bind_drawdown(nb::module_& module) {
     module.def(
         "pigment",
-        [](const std::filesystem::path& path, const std::string& geometry, const optics::Material& binder,
-           double anisotropy, bool matt_ground, const std::optional<double>& noise,
-           const std::optional<std::filesystem::path>& white, const std::string& name,
-           const nb::object& progress) {
+        [](const std::filesystem::path& path, const std::string& geometry,
+           const optics::Material& binder, double anisotropy, bool matt_ground,
+           const std::optional<double>& noise, const std::optional<std::filesystem::path>& white,
+           const std::string& name, const nb::object& progress) {
             const measure::Drawdown drawdown = io::read_drawdown(path);
             fit::DrawdownSettings settings;
             settings.geometry = geometry_of(geometry);

@@ -154,8 +154,8 @@ void bind_fit(nb::module_& module) {
         "standard"_a, "start"_a, "free"_a, "settings"_a, "progress"_a.none());
     module.def(
         "fit_from_library",
-        [](const Readings& standard, const std::filesystem::path& library, std::size_t constructions,
-           const FitSettings& settings, const nb::object& progress) {
+        [](const Readings& standard, const std::filesystem::path& library,
+           std::size_t constructions, const FitSettings& settings, const nb::object& progress) {
             const std::vector<ConstructionMatch> matches = run(progress, [&](const Progress& ask) {
                 return fit_from_library(library, standard.measurement, constructions, settings,
                                         ask);

@@ -230,7 +230,7 @@ void bind_measurement(nb::module_& module) {
     nb::class_<Readings>(module, "Readings")
         .def_static("from_spectra", &from_spectra, "name"_a, "geometry"_a, "wavelengths_nm"_a,
                     "R"_a, "illuminant"_a, "observer"_a)
-        .def_prop_ro("name", [](const Readings& r) { return path_text(r.measurement.name); })
+        .def_prop_ro("name", [](const Readings& r) { return name_text(r.measurement.name); })
         .def_prop_ro("geometries", &names)
         .def_prop_ro("theta_i_deg", geometry_number(&Geometry::theta_i_deg), kOwned)
         .def_prop_ro("theta_o_deg", geometry_number(&Geometry::theta_o_deg), kOwned)

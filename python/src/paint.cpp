@@ -371,7 +371,7 @@ void bind_paint(nb::module_& module) {
         .def_static("from_bytes", &from_bytes, "data"_a, "name"_a, "folder"_a.none())
         .def_prop_ro("kind", [](const PaintHandle& p) { return name_of(p.paint.kind()); })
         .def_prop_ro("file", [](const PaintHandle& p) { return path_text(p.paint.file()); })
-        .def_prop_ro("name", [](const PaintHandle& p) { return path_text(p.paint.name()); })
+        .def_prop_ro("name", [](const PaintHandle& p) { return name_text(p.paint.name()); })
         .def_prop_ro("sha256", [](const PaintHandle& p) { return p.paint.recipe_sha256(); })
         .def("toml",
              [](const PaintHandle& p) {

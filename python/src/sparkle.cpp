@@ -29,13 +29,12 @@ void require_sparkle(const Model& model) {
     for (const bsdf::ModelInfo* known : models::all_models()) {
         if (known->can.sparkle && !known->can.reference_only) others.push_back(known->name);
     }
-    throw SettingError(
-        "model",
-        fmt::format("{}, so that there is no sparkle to be measured; must be {}",
-                    info.can.reference_only ? "follows light and has no values"
-                                            : "shows no single flakes",
-                    fmt::join(others, " or ")),
-        std::string(info.name));
+    throw SettingError("model",
+                       fmt::format("{}, so that there is no sparkle to be measured; must be {}",
+                                   info.can.reference_only ? "follows light and has no values"
+                                                           : "shows no single flakes",
+                                   fmt::join(others, " or ")),
+                       std::string(info.name));
 }
 
 nb::object pair_of(const std::optional<Estimate>& estimate, double scale = 1) {

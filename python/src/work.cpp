@@ -30,8 +30,13 @@ bool is_false(const nb::object& returned) {
     if (returned.is(nb::bool_(false))) return true;
     if (!nb::hasattr(returned, "dtype")) return false;
     const nb::object kind = nb::getattr(returned.attr("dtype"), "kind", nb::none());
-    return nb::isinstance<nb::str>(kind) && std::string_view(nb::cast<nb::str>(kind).c_str()) == "b" &&
-           !nb::bool_(returned);
+    if (!nb::isinstance<nb::str>(kind) ||
+        std::string_view(nb::cast<nb::str>(kind).c_str()) != "b") {
+        return false;
+    }
+    const int truth = PyObject_IsTrue(returned.ptr());
+    if (truth < 0) nb::raise_python_error();
+    return truth == 0;
 }
 
 /// Lets Python act on signals and hear of the progress. @throws nb::python_error

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import gc
+import os
 import tomllib
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -288,3 +290,158 @@ def test_explicit_flakes_are_for_pictures(pearl: nacre.Paint) -> None:
         nacre.render("macro", pearl, model=model, spp=1, size=(4, 4))
     with pytest.raises(nacre.DomainError, match="flat panel"):
         nacre.render("sphere", pearl, model=model, spp=1, size=(4, 4))
+
+
+def test_keys_mean_one_number(pearl: nacre.Paint) -> None:
+    key = "coats[0].thickness_nm"
+    assert key in pearl
+    assert f"layer[0].flakes[0].{key}" in pearl
+    assert "thickness_nm" not in pearl  # several
+    assert "no" not in pearl
+    assert 0 not in pearl
+    for several in ("*thickness_nm", "thickness_nm"):
+        with pytest.raises(nacre.DomainError, match="thickness_nm"):
+            pearl[several]
+    with pytest.raises(nacre.DomainError, match=r"\*thickness_nm: means 3 numbers, such as layer"):
+        pearl["*thickness_nm"]
+    assert pearl["*coats*thickness_nm"] == pearl[key]
+
+
+def test_a_number_that_is_set_to_itself_changes_nothing(paints: Path) -> None:
+    asked = 0
+    for name in ("solid-red", "candy-red", "ruby"):
+        paint = nacre.Paint(paints / f"{name}.toml")
+        for key in paint:
+            asked += key.endswith(".max")
+            assert paint.with_values({key: paint[key]}).to_dict() == paint.to_dict(), key
+    assert asked > 2
+
+
+@pytest.mark.parametrize("model", [None, "nacre"])
+def test_wavelengths_beyond_the_usual_are_solved_for(pearl: nacre.Paint, model: Any) -> None:
+    """Within the 5e-3 of the tables, as all others."""
+    wi, nm = [0.5, 0, 0.8], [380.0, 550.0, 720.0]
+    got = pearl.albedo(wi, nm, model=model)
+    alone = pearl.albedo(wi, [380.0], model=model)
+    np.testing.assert_allclose(alone, got[:1], rtol=5e-3)
+    np.testing.assert_allclose(got[1], pearl.albedo(wi, [550.0], model=model)[0], rtol=5e-3)
+    # Samples are of the same solution.
+    sample = pearl.sample(np.tile(wi, (20000, 1)), nm, rng=1, model=model)
+    mean = np.where(sample.valid[:, None], sample.weight, 0).mean(axis=0)
+    np.testing.assert_allclose(mean, got, rtol=0.03)
+    assert abs(got[0] / pearl.albedo(wi, [400.0], model=model)[0] - 1) > 0.05
+
+
+def test_solved_paints_have_no_other_wavelengths(pearl: nacre.Paint, tmp_path: Path) -> None:
+    pearl.write(tmp_path / "pearl.h5", wavelengths_nm=[450, 550, 650])
+    solved = nacre.Paint(tmp_path / "pearl.h5")
+    assert solved.albedo([0, 0, 1], [450, 500]).shape == (2,)  # between them, as it is rendered
+    for call in (solved.albedo, solved.sample):
+        with pytest.raises(nacre.InputError, match="700 nm is not among them"):
+            call([0, 0, 1], [550, 700])
+
+
+def test_directions_of_any_length_and_no_wavelengths(pearl: nacre.Paint) -> None:
+    wo = nacre.direction(20, 180)
+    for scale in (1e200, 1e-200, 3.0):
+        wi = np.multiply(scale, [0.5, 0, 0.8])
+        np.testing.assert_allclose(
+            pearl.brdf(wi, wo, NM), pearl.brdf([0.5, 0, 0.8], wo, NM), rtol=1e-9
+        )
+        np.testing.assert_allclose(pearl.albedo(wi, NM), pearl.albedo([0.5, 0, 0.8], NM), rtol=1e-5)
+    assert pearl.brdf([[0, 0, 1]] * 4, wo, []).shape == (4, 0)
+    assert pearl.brdf_at([10, 20], 0, 0, []).shape == (2, 0)
+    assert pearl.albedo([0, 0, 1], []).shape == (0,)
+
+
+@pytest.mark.parametrize("angle", [90, -10, np.nan])
+def test_polar_angles_are_named_in_degrees(pearl: nacre.Paint, angle: float) -> None:
+    for name in ("theta_i_deg", "theta_o_deg"):
+        i, o = (angle, 0.0) if name == "theta_i_deg" else (0.0, angle)
+        with pytest.raises(nacre.SettingError, match=rf"{name} = .*: must be in \[0, 90\) deg"):
+            pearl.brdf_at(i, o, 0, NM)
+
+
+@pytest.mark.parametrize("specimen", ["abc", "", True, -1, 1.7, "1abc", 2**53 + 1, 2**64])
+def test_specimens_are_whole_numbers(specimen: Any) -> None:
+    with pytest.raises(nacre.SettingError, match=r"must be a whole number in \[0, 90071") as raised:
+        nacre.Model("nacre", specimen=specimen)
+    assert raised.value.setting == "specimen"
+
+
+def test_settings_are_named_as_python_spells_them(pearl: nacre.Paint) -> None:
+    assert nacre.Model("nacre", specimen=2**53).options["specimen"] == str(2**53)
+    assert nacre.Model("nacre", hot_spot=np.False_) == nacre.Model("nacre", hot_spot=False)  # type: ignore[arg-type]
+    calls: list[tuple[str, str, Callable[[], object]]] = [
+        ("hot_spot", "hot_spot = 1: must be on or off", lambda: nacre.Model("nacre", hot_spot=1)),
+        ("table", "table = no: must be one of", lambda: nacre.Model("microflake", table="no")),
+        (
+            "constructions",
+            "constructions = 0",
+            lambda: nacre.fit(pearl, library=".", constructions=0),
+        ),
+        ("free", "free: belongs", lambda: nacre.fit(pearl, library=".", free="alpha")),
+        ("path", "must end in", lambda: pearl.write("x.foo")),
+        ("path", "holds no measured", lambda: nacre.Measurement.read("tio2-mica-80")),
+        (
+            "flakes",
+            "for pictures",
+            lambda: pearl.measure(model=nacre.Model("nacre", flakes="explicit")),
+        ),
+        (
+            "resume",
+            "belongs to shard",
+            lambda: nacre.render("sphere", pearl, spp=1, size=(4, 4), resume="x.h5"),
+        ),
+    ]
+    for setting, text, call in calls:
+        with pytest.raises(nacre.SettingError, match=text) as raised:
+            call()
+        assert raised.value.setting == setting
+        assert not str(raised.value).startswith("--")
+
+
+@pytest.mark.parametrize("model", ["walk", "microflake", "thin-film"])
+def test_models_without_single_flakes_have_no_sparkle(pearl: nacre.Paint, model: str) -> None:
+    with pytest.raises(nacre.SettingError, match=f"model = {model}: .*no sparkle .*nacre") as got:
+        pearl.sparkle(model=model, lamps_deg=[15], field_mm=1, diffuse_samples=0)
+    assert got.value.setting == "model"
+
+
+def test_sparkle_without_a_model_is_that_of_its_default(pearl: nacre.Paint) -> None:
+    settings: dict[str, Any] = {"lamps_deg": [15], "field_mm": 3, "diffuse_samples": 0}
+    by_default = pearl.sparkle(model=None, **settings).lamps[0].picture
+    np.testing.assert_array_equal(by_default, pearl.sparkle(**settings).lamps[0].picture)
+    assert by_default.max() > 0
+
+
+def test_the_last_solutions_are_kept(pearl: nacre.Paint) -> None:
+    """Each has its warning."""
+    paint = pearl.copy()
+    paint["coats[0].thickness_nm"] = 90
+    for nm in range(12):
+        paint.solve([500.0 + nm], exit_nodes=8, inner_nodes=4)
+    assert len(paint.warnings) == 8
+    paint.solve([500.0], exit_nodes=8, inner_nodes=4)
+    assert len(paint.warnings) == 8
+
+
+def test_paths_need_not_be_utf8(pearl: nacre.Paint, tmp_path: Path) -> None:
+    def path(name: bytes) -> str:
+        return os.fsdecode(os.fsencode(tmp_path) + b"/" + name)
+
+    pearl.write(path(b"p\xff.toml"))
+    paint = nacre.Paint(path(b"p\xff.toml"))
+    assert paint.file == path(b"p\xff.toml")
+    assert paint.sha256 == pearl.sha256
+    assert isinstance(paint.name, str)
+    reading = pearl.measure("45as15", wavelengths_nm=[450, 550, 650])
+    reading.write(path(b"m\xff.csv"))
+    assert isinstance(nacre.Measurement.read(path(b"m\xff.csv")).name, str)
+    for call in (
+        lambda: nacre.render(path(b"no\xff.toml")),
+        lambda: nacre.pigment(path(b"no\xff.csv")),
+        lambda: nacre.fit(reading, library=path(b"no\xff")),
+    ):
+        with pytest.raises(nacre.InputError, match="no"):
+            call()

@@ -97,6 +97,41 @@ def test_html(reading: nacre.Measurement, paints: Path) -> None:
     assert reading.srgb.max() <= 1
 
 
+def test_html_of_films_without_colours() -> None:
+    """Curves where there are any."""
+    for nm in ([550.0], [400.0, 410, 450], np.arange(1000.0, 1101, 10)):
+        film = nacre.film([("1.9", 100)], angles_deg=[0, 60], wavelengths_nm=nm)
+        root = ElementTree.fromstring(f"<p>{film._repr_html_()}</p>")
+        assert len(list(root.iter("polyline"))) == (0 if len(nm) == 1 else 2)
+    assert nacre.Chips([], []).css == []
+    assert "background" not in nacre.Chips([], [])._repr_html_()
+
+
+def test_films_keep_copies_of_what_was_asked() -> None:
+    nm, angles = np.array([400.0, 500, 600]), np.array([0.0, 30])
+    film = nacre.film([("1.9", 100)], angles_deg=angles, wavelengths_nm=nm)
+    nm[0], angles[0] = 1, 80
+    assert film.wavelengths_nm[0] == 400
+    assert film.angles_deg[0] == 0
+
+
+def test_results_may_be_compared(reading: nacre.Measurement) -> None:
+    """By what they are, as arrays have no one truth."""
+    image = nacre.Image({"R": np.zeros((2, 2), np.float32)}, {})
+    for result in (nacre.film([("1.9", 100)]), reading.difference(reading), image):
+        assert result == result
+        assert result in [None, result]
+        assert len({result, result}) == 1
+    assert nacre.film([("1.9", 100)]) != nacre.film([("1.9", 100)])
+
+
+def test_exposures_are_finite(tmp_path: Path) -> None:
+    image = nacre.Image({c: np.ones((2, 2), np.float32) for c in "RGB"}, {})
+    for stops in (np.nan, np.inf):
+        with pytest.raises(nacre.SettingError, match=r"exposure_stops = .*: must be finite"):
+            image.write(tmp_path / "x.png", exposure_stops=stops)
+
+
 def test_html_of_materials() -> None:
     for name, first_nm in (("Al", "400"), ("TiO2_rutile", "500")):  # which begins at 430 nm
         shown = ElementTree.fromstring(f"<p>{nacre.Material(name)._repr_html_()}</p>")

@@ -43,6 +43,20 @@ def test_what_has_nothing_to_hand_over_raises_stopped(paints: Path) -> None:
         paint.solve(np.linspace(400, 700, 301), progress=lambda _: False)
     with pytest.raises(nacre.Stopped):
         nacre.fit(paint, paint, "coats[0].thickness_nm", progress=lambda _: False)
+    with pytest.raises(nacre.Stopped):  # numpy's, as of a comparison of its numbers
+        paint.solve(np.linspace(400, 700, 302), progress=lambda _: np.float64(1) < 0)
+
+
+@pytest.mark.parametrize("returned", [None, 0, "", np.True_, np.zeros(3)])
+def test_what_is_not_false_lets_the_work_go_on(paints: Path, returned: object) -> None:
+    told: list[float] = []
+
+    def tell(fraction: float) -> object:
+        told.append(fraction)
+        return returned
+
+    nacre.Paint(paints / "tio2-mica-80.toml").solve([550.0], progress=tell)
+    assert told
 
 
 def test_what_progress_raises_is_raised(flakes: nacre.Paint) -> None:
@@ -74,6 +88,35 @@ def test_ctrl_c(work: str, flakes: nacre.Paint) -> None:
         timer.join()
     finally:
         signal.signal(signal.SIGINT, before)
+
+
+@pytest.mark.parametrize("work", ["delta_e_2000", "lab", "srgb", "index"])
+def test_colours_of_many_let_others_work(work: str) -> None:
+    many, nm = np.random.default_rng(1).uniform(0, 80, (2_000_000, 3)), np.linspace(400, 700, 31)
+    spectra = np.full((200_000, 31), 0.3)
+    wavelengths = np.linspace(400, 700, 10_000_000)
+    steps = 0
+    done = threading.Event()
+
+    def count() -> None:
+        nonlocal steps
+        while not done.is_set():
+            steps += 1
+            time.sleep(1e-3)
+
+    counter = threading.Thread(target=count)
+    counter.start()
+    if work == "delta_e_2000":
+        nacre.delta_e_2000(many, many[0])
+    elif work == "lab":
+        nacre.lab(nm, spectra)
+    elif work == "srgb":
+        nacre.srgb(many)
+    else:
+        nacre.Material("mica").index(wavelengths)
+    done.set()
+    counter.join()
+    assert steps > 10
 
 
 def test_others_work_meanwhile(flakes: nacre.Paint) -> None:
