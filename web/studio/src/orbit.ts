@@ -14,9 +14,15 @@ export interface OrbitCamera {
 export interface Orbit extends OrbitCamera {
     /** The least width over height of a picture for which the field of view is meant. */
     readonly aspect: number;
+    /** From the middle, out of the shape's reach whichever way it is turned. */
+    readonly nearest_mm: number;
 }
 
 const DEGREES = 180 / Math.PI;
+
+/** By which the server leaves room around a shape, and a camera stays before its surface. */
+const ROOM = 1.05;
+const BEFORE = 1.02;
 
 export function orbitOf(shape: ShapeInfo): Orbit {
     const { position_mm, target_mm, fov_deg, aspect } = shape.camera;
@@ -24,20 +30,25 @@ export function orbitOf(shape: ShapeInfo): Orbit {
         (i) => (position_mm[i] as number) - (target_mm[i] as number),
     ) as [number, number, number];
     const distance_mm = Math.hypot(x, y, z);
+    // The aspect is that of the shape's greatest reach about the vertical.
+    const reach = Math.atan((aspect / ROOM) * Math.tan(fov_deg / 2 / DEGREES));
     return {
         azimuth_deg: Math.atan2(y, x) * DEGREES,
         elevation_deg: Math.asin(z / distance_mm) * DEGREES,
         distance_mm,
         fov_deg,
         aspect,
+        nearest_mm: BEFORE * distance_mm * Math.sin(reach),
     };
 }
 
 /** With a field of view that shows narrow pictures as much from side to side as others. */
-export function fitted({ aspect, ...camera }: Orbit, width: number, height: number): OrbitCamera {
+export function fitted(orbit: Orbit, width: number, height: number): OrbitCamera {
+    const { azimuth_deg, elevation_deg, distance_mm, fov_deg, aspect } = orbit;
     const wider = Math.max(1, (aspect * height) / width);
-    const half = Math.tan(camera.fov_deg / 2 / DEGREES);
-    return { ...camera, fov_deg: 2 * DEGREES * Math.atan(half * wider) };
+    const half = Math.tan(fov_deg / 2 / DEGREES);
+    const shown_deg = 2 * DEGREES * Math.atan(half * wider);
+    return { azimuth_deg, elevation_deg, distance_mm, fov_deg: shown_deg };
 }
 
 const clamp = (value: number, low: number, high: number) => Math.min(Math.max(value, low), high);
@@ -47,7 +58,7 @@ export function turned(orbit: Orbit, up_deg: number, nearer = 1): Orbit {
     return {
         ...orbit,
         elevation_deg: clamp(orbit.elevation_deg + up_deg, -85, 85),
-        distance_mm: clamp(orbit.distance_mm / nearer, 1, 1e5),
+        distance_mm: clamp(orbit.distance_mm / nearer, orbit.nearest_mm, 1e5),
     };
 }
 

@@ -126,6 +126,7 @@ test("in a light of another lamp the paint is asked for in that lamp", async () 
         distance_mm: 600,
         fov_deg: 11,
         aspect: 1,
+        nearest_mm: 50,
     };
     const turned = { turn_deg: 0, light_turn_deg: 0, sparkle: true, camera, shape: "ball" };
     const show = (name: string) => {
