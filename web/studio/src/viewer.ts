@@ -62,6 +62,11 @@ export function covers(state: ViewerState): boolean {
     return !state.gamutWarning && isCurrent(state) && picture.samples >= state.enough;
 }
 
+/** Whether what is shown as A is of another view than B, or of another paint. */
+export function isKeptBehind({ kept, keptRecipe, view }: ViewerState): boolean {
+    return keptRecipe !== null && (kept?.view !== view || kept.recipe !== keptRecipe);
+}
+
 /** Whether A's picture is of the view that is asked for, and no draft nor a coarse live one. */
 function isKeptWhole({ kept, keptRecipe, view }: ViewerState): boolean {
     return (
@@ -132,7 +137,8 @@ export class Viewer {
         else this.holders.delete(holder);
         this.live?.hold(this.holders.has("colours"));
         if (held) {
-            if (this.underWay?.job.quick === false) this.postponed = this.stop();
+            const job = this.underWay?.job;
+            if (job !== undefined && (!job.quick || job.kept)) this.postponed = this.stop();
         } else if (this.holders.size === 0 && this.postponed) this.startLater();
     }
 
@@ -279,7 +285,7 @@ export class Viewer {
         clearTimeout(this.timer);
         const light = this.store.get().view?.light ?? "";
         this.store.set({ enough: this.withLines.has(light) ? SAMPLES : ENOUGH });
-        if (this.underWay?.job.quick === true) {
+        if (this.underWay?.job.quick === true && !this.underWay.job.kept) {
             this.quickWanted = true;
             return;
         }
@@ -304,7 +310,9 @@ export class Viewer {
     private startLater(): void {
         clearTimeout(this.timer);
         this.timer = setTimeout(() => {
-            this.start(false, false);
+            // A draft of A first where it is of another view: what is beside it is seen as it is now.
+            const behind = isKeptBehind(this.store.get());
+            this.start(behind, behind);
         }, REST_MS);
     }
 
@@ -314,7 +322,7 @@ export class Viewer {
         const { width, height } = this.size;
         if (recipe === null || view === null || width * height === 0 || !this.session.isOpen)
             return;
-        this.postponed = this.holders.size > 0 && !quick;
+        this.postponed = this.holders.size > 0 && (!quick || kept);
         if (this.postponed) return;
         const shrink =
             Math.min(1, Math.sqrt(MOST_PIXELS / (width * height))) / (quick ? QUICK_PART : 1);
@@ -352,6 +360,7 @@ export class Viewer {
         this.session.forget(id);
         this.underWay = null;
         if (this.quickWanted) this.refresh();
+        else if (job.quick && job.kept) this.start(false, false);
         else if (job.quick) this.startLater();
         else if (!job.kept) {
             const state = this.store.get();

@@ -6,7 +6,7 @@ import { orbitOf, turned, wrapped } from "../orbit";
 import { LIGHT_FILES, MESH_FILES } from "../own_files";
 import { useStudio, useStudioState, useViewerState } from "../ui/context";
 import type { Picture, View } from "../viewer";
-import { covers, isCurrent } from "../viewer";
+import { covers, isCurrent, isKeptBehind } from "../viewer";
 
 export function PicturePanel(): VNode {
     return (
@@ -181,10 +181,12 @@ function Canvas(): VNode {
     const picture = useViewerState((state) => state.picture);
     const kept = useViewerState((state) => state.kept);
     const keptRecipe = useViewerState((state) => state.keptRecipe);
+    const behind = useViewerState(isKeptBehind);
     const view = useViewerState((state) => state.view);
     const name = useStudioState((state) => state.document.recipe.name);
     const [wipe, setWipe] = useState(0.5);
     const drag = useRef<{ x: number; y: number } | null>(null);
+    const wiping = useRef(false);
 
     useEffect(() => {
         const element = place.current;
@@ -273,7 +275,7 @@ function Canvas(): VNode {
                 />
                 {keptRecipe !== null && (
                     <div
-                        class="wiped"
+                        class={behind ? "wiped behind" : "wiped"}
                         style={{ clipPath: `inset(0 ${String(100 - 100 * wipe)}% 0 0)` }}
                     >
                         <canvas ref={keptCanvas} width="16" height="16" />
@@ -282,9 +284,29 @@ function Canvas(): VNode {
             </div>
             {keptRecipe !== null && (
                 <>
-                    <span class="side a">A</span>
+                    <span class="side a">{behind ? "A, as it was seen before" : "A"}</span>
                     <span class="side b">B</span>
-                    <div class="wipe-line" style={{ left: `${String(100 * wipe)}%` }} />
+                    <div
+                        class="wipe-line"
+                        style={{ left: `${String(100 * wipe)}%` }}
+                        onPointerDown={(event) => {
+                            if (event.button !== 0) return;
+                            event.currentTarget.setPointerCapture(event.pointerId);
+                            wiping.current = true;
+                        }}
+                        onPointerMove={(event) => {
+                            const box = place.current?.getBoundingClientRect();
+                            if (!wiping.current || box === undefined) return;
+                            const at = (event.clientX - box.left) / box.width;
+                            setWipe(Math.min(Math.max(at, 0), 1));
+                        }}
+                        onPointerUp={() => {
+                            wiping.current = false;
+                        }}
+                        onPointerCancel={() => {
+                            wiping.current = false;
+                        }}
+                    />
                     <input
                         class="wipe"
                         type="range"
