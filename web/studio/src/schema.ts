@@ -210,6 +210,15 @@ export function foreignKeys(table: Table, info: TableInfo): Set<string> {
     return foreign;
 }
 
+/** Whether a key goes with an alternative that the table does not state and that it does not bring. */
+export function isStranded(table: Table, info: TableInfo, key: KeyInfo): boolean {
+    if (brought(table, info, key) !== undefined) return false;
+    return statedGroups(table, info).some((group) => {
+        const now = group.each[chosen(table, group)]?.keys ?? [];
+        return !now.includes(key.key) && keysOf(group).includes(key.key);
+    });
+}
+
 /** "(0, 1e6] µm", as docs/recipe.md writes ranges. */
 export function rangeText(info: KeyInfo): string {
     const { min, max } = info;

@@ -1,8 +1,9 @@
 /** What a new layer, flake, pigment or film begins with: numbers of paints that are made. */
 
 import type { Alternatives, KeyInfo, Schema, TableInfo } from "./schema";
-import { chosen, statedGroups, tableInfo } from "./schema";
+import { chosen, foreignKeys, statedGroups, tableInfo } from "./schema";
 import type { Path, Table, Value } from "./tree";
+import { isTable } from "./tree";
 
 /** Entries of lists and tables, by generic path. */
 const WHOLE: Readonly<Record<string, Value>> = {
@@ -20,7 +21,11 @@ const WHOLE: Readonly<Record<string, Value>> = {
     },
     "layer[].flakes[].coats[]": { material: "SiO2", thickness_nm: 100, spread_nm: 5 },
     "layer[].flakes[].core": { material: "mica", thickness_nm: 500, spread_nm: 60 },
-    "layer[].flakes[].orientation.tilts[]": { tilt_deg: 4, density: 1 },
+    "layer[].flakes[].orientation.tilts": [
+        { tilt_deg: 0, density: 1 },
+        { tilt_deg: 15, density: 0 },
+    ],
+    "layer[].flakes[].thickness_um": 0.3,
     "clearcoat.orange_peel": { wc: 0.005, wd: 0.005 },
     microfacet: {
         alpha: 0.1,
@@ -66,8 +71,10 @@ export function starter(schema: Schema, table: Path, info: KeyInfo): Value {
         .map((step) => (typeof step === "number" ? "[]" : `.${step}`))
         .join("")
         .slice(1);
-    const whole = WHOLE[info.kind === "list" ? `${generic}[]` : generic];
-    if (whole !== undefined) return info.kind === "list" ? [whole] : whole;
+    const whole = WHOLE[generic];
+    if (whole !== undefined) return whole;
+    const entry = info.kind === "list" ? WHOLE[`${generic}[]`] : undefined;
+    if (entry !== undefined) return [entry];
     if (generic === "layer[].pigment") return [newPigment(schema)];
     const single = SINGLE[info.key];
     switch (info.kind) {
@@ -91,7 +98,12 @@ export function starter(schema: Schema, table: Path, info: KeyInfo): Value {
     }
 }
 
-export function newEntry(schema: Schema, list: Path): Value {
+/** @param last  the entry before it */
+export function newEntry(schema: Schema, list: Path, last?: Value): Value {
+    // Densities over tilts that rise.
+    if (list.at(-1) === TILTS && isTable(last) && typeof last.tilt_deg === "number") {
+        return { tilt_deg: Math.min(last.tilt_deg + 5, 90), density: 0 };
+    }
     const info = tableInfo(schema, list.slice(0, -1))?.keys.find((k) => k.key === list.at(-1));
     if (info === undefined) return {};
     const made = starter(schema, list.slice(0, -1), info);
@@ -122,6 +134,28 @@ function required(schema: Schema, path: Path): Table {
     return table;
 }
 
+/** The key of an orientation that tables its tilts, which its distribution says too. */
+const TILTS = "tilts";
+const TABULATED = "tabulated";
+
+/** The distribution that goes with the tilts of an orientation, or with its alpha. */
+function distributed(table: Table): Table {
+    if (!("distribution" in table)) return table;
+    const tabulated = table.distribution === TABULATED;
+    if (TILTS in table === tabulated) return table;
+    return { ...table, distribution: tabulated ? "beckmann" : TABULATED };
+}
+
+/** The table with another word chosen, and what goes with it. */
+export function withChoice(schema: Schema, path: Path, table: Table, key: string, word: string) {
+    const group = tableInfo(schema, path)?.alternatives?.find(({ each }) =>
+        each.some(({ mark }) => mark === TILTS),
+    );
+    if (group === undefined || key !== "distribution") return { ...table, [key]: word };
+    const to = group.each.findIndex(({ mark }) => (mark === TILTS) === (word === TABULATED));
+    return { ...switched(schema, path, table, group, to), [key]: word };
+}
+
 function addMarked(
     schema: Schema,
     path: Path,
@@ -129,12 +163,27 @@ function addMarked(
     one: Alternatives["each"][number] | undefined,
     table: Record<string, Value>,
 ): void {
+    // Ways to say one thing within this alternative: one of them is enough.
+    const within = (info.alternatives ?? []).filter(
+        ({ required, each }) =>
+            required &&
+            each.every(({ mark, keys }) => mark !== one?.mark && isWithin(keys, one?.keys ?? [])),
+    );
+    const apart = new Set(within.flatMap(({ each }) => each.flatMap(({ keys }) => keys)));
     for (const key of info.keys) {
-        const wanted = key.key === one?.mark || (key.required && one?.keys.includes(key.key));
-        if (wanted === true && table[key.key] === undefined) {
-            table[key.key] = starter(schema, path, key);
-        }
+        const needed = key.required
+            ? !apart.has(key.key)
+            : key.required_with !== undefined && key.required_with in table;
+        const wanted = key.key === one?.mark || (needed && one?.keys.includes(key.key) === true);
+        if (wanted && table[key.key] === undefined) table[key.key] = starter(schema, path, key);
     }
+    for (const { each } of within) {
+        if (!each.some(({ mark }) => mark in table)) addMarked(schema, path, info, each[0], table);
+    }
+}
+
+function isWithin(some: readonly string[], all: readonly string[]): boolean {
+    return some.every((key) => all.includes(key));
 }
 
 /** The table stating another of the alternatives, with what that one needs. */
@@ -153,5 +202,12 @@ export function switched(
     const kept = Object.entries(table).filter(([key]) => !leaving.has(key));
     const result: Record<string, Value> = Object.fromEntries(kept);
     addMarked(schema, path, info, one, result);
-    return result;
+    // What another alternative needs beside what this one brought.
+    const foreign = foreignKeys(result, info);
+    for (const key of info.keys) {
+        const needed = key.required_with !== undefined && key.required_with in result;
+        if (!needed || key.key in result || foreign.has(key.key)) continue;
+        result[key.key] = starter(schema, path, key);
+    }
+    return distributed(result);
 }

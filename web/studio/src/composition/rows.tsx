@@ -5,6 +5,7 @@ import { useId } from "preact/hooks";
 import { setValue } from "../edit";
 import type { KeyInfo, Rgb } from "../schema";
 import { labelOf, placeText } from "../schema";
+import { withChoice } from "../starters";
 import type { Path, Value } from "../tree";
 import { get, isList, isTable } from "../tree";
 import { useStudio, useStudioState } from "../ui/context";
@@ -146,6 +147,16 @@ function ChoiceRow(props: RowProps): VNode {
     const row = useRow(props);
     const { info, value } = props;
     const words = Array.isArray(info.choices) ? (info.choices as readonly string[]) : [];
+    const studio = useStudio();
+    const choose = (word: string) => {
+        const { schema } = studio.store.get();
+        const at = props.path.slice(0, -1);
+        studio.edit((document) => {
+            const table = get(document.recipe, at);
+            if (schema === null || !isTable(table)) return document;
+            return setValue(document, at, withChoice(schema, at, table, info.key, word));
+        });
+    };
     return (
         <div class={row.class}>
             <label for={row.id} title={info.doc}>
@@ -157,7 +168,7 @@ function ChoiceRow(props: RowProps): VNode {
                 aria-describedby={row.describedBy}
                 value={textOf(value)}
                 onChange={(event) => {
-                    row.set(event.currentTarget.value);
+                    choose(event.currentTarget.value);
                 }}
             >
                 {words.map((word) => (

@@ -4,7 +4,17 @@ import type { ComponentChildren, VNode } from "preact";
 import { useState } from "preact/hooks";
 import { insertEntry, moveEntry, removeEntry, setValue } from "../edit";
 import type { KeyInfo, Schema, TableInfo } from "../schema";
-import { brought, chosen, dropped, foreignKeys, labelOf, singular, tableInfo } from "../schema";
+import {
+    brought,
+    chosen,
+    dropped,
+    foreignKeys,
+    isStranded,
+    labelOf,
+    placeText,
+    singular,
+    tableInfo,
+} from "../schema";
 import { newEntry, starter, switched } from "../starters";
 import type { Path, Table, Value } from "../tree";
 import { get, isList, isTable, pathText } from "../tree";
@@ -40,6 +50,7 @@ function offered(table: Table, info: TableInfo): KeyInfo[] {
         (key) =>
             !(key.key in table) &&
             !foreign.has(key.key) &&
+            !isStranded(table, info, key) &&
             key.key !== IN_TITLE &&
             key.choices !== "pigments" &&
             (!preset || BESIDE_PRESET.has(key.key)),
@@ -113,6 +124,7 @@ function MoreOf(props: {
 }): VNode | null {
     const { path, table, info, schema } = props;
     const studio = useStudio();
+    const place = useStudioState(({ document }) => placeText(document.recipe, [...path, ""]));
     const known = (key: KeyInfo) =>
         key.kind !== "table" || tableInfo(schema, [...path, key.key]) !== undefined;
     const lists = (key: KeyInfo) =>
@@ -128,6 +140,7 @@ function MoreOf(props: {
             key.key in table &&
             (!key.required || dropped(table, info, key.key) !== undefined) &&
             !marks.has(key.key) &&
+            !(key.required_with !== undefined && key.required_with in table) &&
             key.key !== IN_TITLE &&
             key.kind !== "list" &&
             key.kind !== "table" &&
@@ -174,7 +187,8 @@ function MoreOf(props: {
     return (
         <select
             class="more"
-            aria-label={`More of ${pathText(path) || "the paint"}`}
+            aria-label={`More of ${place === "" ? "the paint" : place}`}
+            data-at={pathText(path)}
             value=""
             onChange={(event) => {
                 act(event.currentTarget.value);
@@ -306,8 +320,12 @@ const AddEntry = steady(
         if (schema === null) return null;
         const list = String(path.at(-1));
         const kind = singular(list);
-        const insert = (entry = newEntry(schema, path)) => {
-            studio.edit((document) => insertEntry(document, path, at, entry));
+        const insert = (entry?: Value) => {
+            studio.edit((document) => {
+                const last = get(document.recipe, [...path, at - 1]);
+                const made = entry ?? newEntry(schema, path, last);
+                return insertEntry(document, path, at, made);
+            });
         };
         if (list === "pigment") {
             return (
