@@ -24,7 +24,7 @@ constexpr std::size_t kMaxKeys = 10'000;
 constexpr std::size_t kMaxNameBytes = 300;
 /// Pixels of a picture: a screen's.
 constexpr double kMaxPicturePixels = 4096.0 * 2160;
-constexpr std::size_t kMaxGeometries = 100;
+constexpr std::size_t kMaxGeometries = 200;  // the set "full" has 186
 constexpr std::size_t kMaxAtlasValues = 200;
 
 /// Refuses what would take long, or deep recursion, before it is parsed.
