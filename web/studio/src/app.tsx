@@ -13,10 +13,15 @@ function typing(target: EventTarget | null): boolean {
     return target instanceof HTMLInputElement && !["range", "checkbox"].includes(target.type);
 }
 
+/** A number that nobody has begun to change has nothing to be undone: the paint has. */
+function hasDraft(target: EventTarget | null): boolean {
+    return typing(target) && (target as HTMLElement).dataset.draft !== "false";
+}
+
 function useKeysAndDrops(studio: Studio): void {
     useEffect(() => {
         const keys = (event: KeyboardEvent) => {
-            if (!(event.ctrlKey || event.metaKey) || typing(event.target)) return;
+            if (!(event.ctrlKey || event.metaKey) || hasDraft(event.target)) return;
             const key = event.key.toLowerCase();
             if (key === "z" && !event.shiftKey) studio.undo();
             else if (key === "y" || key === "z") studio.redo();
@@ -24,18 +29,22 @@ function useKeysAndDrops(studio: Studio): void {
             event.preventDefault();
         };
         const over = (event: DragEvent) => {
-            event.preventDefault();
+            if (!typing(event.target) || event.dataTransfer?.types.includes("Files") === true)
+                event.preventDefault();
         };
         const drop = (event: DragEvent) => {
-            event.preventDefault();
             const file = event.dataTransfer?.files[0];
+            const text = event.dataTransfer?.getData("text") ?? "";
+            if (file === undefined && typing(event.target)) return;
+            event.preventDefault();
             if (file !== undefined) studio.openFile(file);
+            else if (text.includes("=")) studio.openPasted(text);
         };
         const paste = (event: ClipboardEvent) => {
             const text = event.clipboardData?.getData("text") ?? "";
             if (typing(event.target) || !text.includes("=")) return;
             event.preventDefault();
-            studio.openText(text);
+            studio.openPasted(text);
         };
         const hash = () => {
             void studio.openLink(location.hash);

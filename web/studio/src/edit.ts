@@ -7,6 +7,8 @@ export interface Document {
     readonly recipe: Table;
     /** Paths as text. A locked number has no slider to move and is never free in a fit. */
     readonly locks: ReadonlySet<string>;
+    /** The text from which it was opened: the server takes its comments into the texts that it writes. */
+    readonly toml?: string;
 }
 
 /** Tables of a recipe whose keys are paths of numbers. */
@@ -59,7 +61,7 @@ function renamed(document: Document, name: (path: Path) => Path | null): Documen
         const kept = entries.length > 0 ? Object.fromEntries(entries) : undefined;
         recipe = set(recipe, [key], kept);
     }
-    return { recipe, locks };
+    return { ...document, recipe, locks };
 }
 
 /** Those of which two numbers or more are left. */

@@ -11,6 +11,28 @@ export function save(name: string, content: BlobPart, type: string): void {
     }, 10_000);
 }
 
+/** What fits in a message to the server, as base64 too. */
+export const MOST_BYTES = 6_000_000;
+/** Of text as JSON has it; the server takes 8 MiB a message, of which the text is not all. */
+const MOST_TEXT_BYTES = 8_000_000;
+
+/** Why so many bytes are not sent; null: they may be. */
+export function tooLarge(name: string, bytes: number, what: string): string | null {
+    if (bytes <= MOST_BYTES) return null;
+    const [has, most] = [bytes, MOST_BYTES].map((n) => (n / 1e6).toFixed(1));
+    return `${name} has ${has ?? ""} MB; at most ${most ?? ""} MB can be ${what}.`;
+}
+
+/** The same of a text, where what JSON writes by two characters counts twice. */
+export function textTooLarge(name: string, text: string): string | null {
+    const bytes = new Blob([text]).size;
+    const said = tooLarge(name, bytes, "read");
+    if (said !== null) return said;
+    const written = new Blob([JSON.stringify(text)]).size;
+    if (written <= MOST_TEXT_BYTES) return null;
+    return `${name} has ${(written / 1e6).toFixed(1)} MB as JSON; at most ${(MOST_TEXT_BYTES / 1e6).toFixed(1)} MB can be read.`;
+}
+
 /** A name for a file after what people call the paint. */
 export function fileName(name: unknown, ending: string): string {
     const plain =

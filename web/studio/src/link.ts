@@ -51,6 +51,12 @@ export async function toFragment({ recipe, locks }: Document): Promise<string> {
     return PREFIX + toBase64Url(await through(bytes, new CompressionStream("deflate-raw")));
 }
 
+/** The fragment of a pasted link: a whole address, or what follows its # with or without it; null: no link. */
+export function linkIn(text: string): string | null {
+    const found = /^\s*(?:\S*#)?(paint=[\w-]+)\s*$/.exec(text)?.[1];
+    return found === undefined ? null : `#${found}`;
+}
+
 /**
  * The document of an address's fragment; null where the fragment holds none.
  * @throws Error for a fragment that was cut or damaged

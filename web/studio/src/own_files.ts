@@ -1,7 +1,7 @@
 /** A mesh, and light from all around, from files of the reader's. */
 
 import { messageOf } from "./errors";
-import { base64Of } from "./files";
+import { base64Of, tooLarge } from "./files";
 import type { Attachment, Message } from "./protocol";
 import { readLight, readMesh } from "./renderer/paint";
 import type { LightInfo, ShapeInfo } from "./schema";
@@ -10,8 +10,6 @@ import type { OwnFile, State } from "./state";
 import type { Store } from "./store";
 import type { Viewer } from "./viewer";
 
-/** What fits in a message as base64. */
-const MOST_BYTES = 6_000_000;
 const MOST_NAME = 80;
 /** Files by their endings. */
 export const MESH_FILES = ".obj,.ply,.stl,.glb,.gltf";
@@ -36,6 +34,8 @@ export class OwnFiles {
             type: OwnKind,
             fields: Readonly<Record<string, unknown>>,
             answer: Answer,
+            progress: undefined,
+            lost: () => void,
         ) => boolean,
     ) {}
 
@@ -55,9 +55,9 @@ export class OwnFiles {
     async bring(what: OwnKind, file: File, yUp = false): Promise<void> {
         const { ownShape, ownLight } = this.store.get();
         const before = what === "shape" ? ownShape : ownLight;
-        if (file.size > MOST_BYTES) {
-            const [has, most] = [file.size, MOST_BYTES].map((n) => (n / 1e6).toFixed(1));
-            this.say(`${file.name} has ${has ?? ""} MB; at most ${most ?? ""} MB can be shown.`);
+        const large = tooLarge(file.name, file.size, "shown");
+        if (large !== null) {
+            this.say(large);
             return;
         }
         this.say(`Reading ${file.name} …`);
@@ -73,8 +73,13 @@ export class OwnFiles {
                     if (message.type === "error") this.say(String(message.message));
                     else this.brought({ file, yUp, name: "" }, before, message, attachments);
                 },
+                undefined,
+                () => {
+                    this.say(`${file.name}: the server went away before it was read.`);
+                },
             );
             if (sent) return;
+            this.say(`${file.name}: there is no server to read it.`);
         } catch (error) {
             this.say(`${file.name}: ${messageOf(error)}`);
         }

@@ -8,7 +8,7 @@ export function report(studio: Studio, as: "pdf" | "html"): void {
     const { document, settings } = studio.store.get();
     const { geometries, illuminant, observer, tolerance } = settings;
     studio.say("Making the report …");
-    studio.ask(
+    const asked = studio.ask(
         "report",
         {
             recipe: document.recipe,
@@ -30,5 +30,9 @@ export function report(studio: Studio, as: "pdf" | "html"): void {
         (fraction) => {
             studio.say(`Making the report … ${(100 * fraction).toFixed(0)} %`);
         },
+        () => {
+            studio.say("The server went away before the report was made.");
+        },
     );
+    if (!asked) studio.say("There is no server to make the report.");
 }

@@ -67,7 +67,8 @@ export class Session {
     send(type: string, fields: Readonly<Record<string, unknown>>, answer: Answer): number {
         const id = this.nextId++;
         this.answers.set(id, answer);
-        this.socket?.send(JSON.stringify({ type, id, ...fields }));
+        // A socket that is not open yet takes nothing.
+        if (this.open) this.socket?.send(JSON.stringify({ type, id, ...fields }));
         return id;
     }
 

@@ -23,6 +23,21 @@ export interface FitState {
     readonly began: Document | null;
 }
 
+/** What was chosen for the next fit. */
+export interface FitSetup {
+    /** Numbers that were ticked or not, by path; others are as usual. */
+    readonly said: ReadonlyMap<string, boolean>;
+    readonly starts: number;
+}
+
+/** What was chosen for the atlas. */
+export interface AtlasSetup {
+    /** The path of its number; null: the first film. */
+    readonly key: string | null;
+    /** From where to where, by path, where it was said. */
+    readonly ends: ReadonlyMap<string, { readonly low: number; readonly high: number }>;
+}
+
 /** A mesh or a light from a file. The server forgets it with the connection. */
 export interface OwnFile {
     readonly file: File;
@@ -57,12 +72,17 @@ export interface State {
     /** How far its measurement is, in [0, 1]; null: none is under way. */
     readonly sparkleFraction: number | null;
     readonly fit: FitState;
+    readonly fitSetup: FitSetup;
+    readonly atlasSetup: AtlasSetup;
     /** That the reader brought along. */
     readonly ownShape: OwnFile | null;
     readonly ownLight: OwnFile | null;
     /** For the status line and screen readers. */
     readonly notice: string;
 }
+
+export const NO_FIT_SETUP: FitSetup = { said: new Map(), starts: 4 };
+export const NO_ATLAS_SETUP: AtlasSetup = { key: null, ends: new Map() };
 
 export const NO_FIT: FitState = {
     running: false,

@@ -5,7 +5,8 @@ import type { Document } from "./edit";
 import { messageOf } from "./errors";
 import { History } from "./history";
 import { Latest } from "./latest";
-import { fromFragment, toFragment } from "./link";
+import { textTooLarge, tooLarge } from "./files";
+import { fromFragment, linkIn, toFragment } from "./link";
 import type { ErrorMessage, Match, Message, Readings, RecipeMessage, Standard } from "./protocol";
 import { kindOf, OwnFiles } from "./own_files";
 import { SparkleMeter } from "./sparkle";
@@ -13,13 +14,20 @@ import type { Schema } from "./schema";
 import type { Answer, Socket } from "./session";
 import { Session } from "./session";
 import type { Settings, State } from "./state";
-import { NO_FIT } from "./state";
+import { NO_ATLAS_SETUP, NO_FIT, NO_FIT_SETUP } from "./state";
 import { Store } from "./store";
 import type { Table } from "./tree";
 import { Viewer } from "./viewer";
 
 const EMPTY: Document = { recipe: {}, locks: new Set() };
 const LINK_AFTER_MS = 400;
+const NO_SERVER = "There is no server to fit it; begin again when it answers.";
+
+/** A standard's text; no csv: none. */
+interface StandardText {
+    readonly csv: string | null;
+    readonly name: string;
+}
 
 interface PaintRequest {
     readonly recipe: Table;
@@ -56,7 +64,14 @@ export class Studio {
     private readonly history = new History<Document>(EMPTY);
     private readonly session: Session;
     private readonly painting: Latest<PaintRequest>;
-    private standardText: { csv: string; name: string } | null = null;
+    /** The standard that the server took last, and what it has yet to answer for. */
+    private standardText: StandardText | null = null;
+    private standardAsked: StandardText | null = null;
+    /** The text that the server knows as opened, and one that it has yet to answer for. */
+    private openedText: string | null = null;
+    private toOpen: string | null = null;
+    /** Told when what was asked will not be answered, by the id of the question. */
+    private readonly lost = new Map<number, () => void>();
     private linkTimer: ReturnType<typeof setTimeout> | undefined;
     private fitId: number | null = null;
     private begun = false;
@@ -80,6 +95,8 @@ export class Studio {
             sparkle: null,
             sparkleFraction: null,
             fit: NO_FIT,
+            fitSetup: NO_FIT_SETUP,
+            atlasSetup: NO_ATLAS_SETUP,
             ownShape: null,
             ownLight: null,
             notice: "",
@@ -116,10 +133,13 @@ export class Studio {
             this.say(`The server does not say what a paint has: ${messageOf(error)}`);
             return;
         }
-        if (this.standardText !== null) this.sendStandard();
+        const again = this.standardAsked;
+        if (this.standardText !== null) this.sendStandard(this.standardText);
+        if (again !== null) this.sendStandard(again);
         this.ownFiles.bringAgain();
         if (this.begun) {
             this.measure();
+            if (this.toOpen !== null) this.openText(this.toOpen);
             return;
         }
         this.begun = true;
@@ -135,6 +155,9 @@ export class Studio {
         this.viewer.abandon();
         this.atlas.stop();
         this.ownFiles.abandon();
+        this.openedText = null;
+        for (const tell of this.lost.values()) tell();
+        this.lost.clear();
         this.fitId = null;
         const { connection } = this.store.get();
         this.store.set({ connection: connection === "refused" ? "refused" : "gone" });
@@ -203,16 +226,44 @@ export class Studio {
     }
 
     /** A text that was typed, dropped or chosen; a faulty one changes nothing and is said. */
-    openText(toml: string): void {
+    openText(toml: string, name = "The text"): void {
+        const large = textTooLarge(name, toml);
+        if (large !== null) {
+            this.store.set({ notOpened: large });
+            return;
+        }
+        this.toOpen = toml; // when there is a server
+        if (!this.session.isOpen) return;
         const id = this.session.send("open", { toml }, (message) => {
             this.session.forget(id);
+            if (this.toOpen === toml) this.toOpen = null;
             if (message.type === "error") {
                 this.store.set({ notOpened: String(message.message) });
                 return;
             }
             const recipe = (message as unknown as RecipeMessage).tree;
-            this.edit(() => ({ recipe, locks: new Set() }));
+            this.openedText = toml;
+            this.load({ recipe, locks: new Set(), toml });
         });
+    }
+
+    /** Another paint: what was found and chosen for the one before goes. */
+    private load(document: Document): void {
+        this.stopFit();
+        const { starts } = this.store.get().fitSetup;
+        this.store.set({
+            fit: NO_FIT,
+            fitSetup: { ...NO_FIT_SETUP, starts },
+            atlasSetup: NO_ATLAS_SETUP,
+        });
+        this.edit(() => document);
+    }
+
+    /** A text that was pasted or dropped: a link of the studio, or a recipe. */
+    openPasted(text: string): void {
+        const link = linkIn(text);
+        if (link === null) this.openText(text);
+        else void this.openLink(link);
     }
 
     /** A file that was dropped or chosen: its ending says what it is for. */
@@ -220,15 +271,28 @@ export class Studio {
         const { name } = file;
         const own = kindOf(name);
         if (own !== null) void this.ownFiles.bring(own, file);
-        else if (/\.(csv|json)$/i.test(name)) {
-            void file.text().then((text) => {
-                this.setStandard(text, name);
-            });
-        } else {
-            void file.text().then((text) => {
-                this.openText(text);
-            });
+        else if (/\.(csv|json)$/i.test(name)) this.openStandard(file);
+        else {
+            const large = tooLarge(name, file.size, "read");
+            if (large !== null) this.store.set({ notOpened: large });
+            else {
+                void file.text().then((text) => {
+                    this.openText(text, name);
+                });
+            }
         }
+    }
+
+    /** A file of measured colours. */
+    openStandard(file: File): void {
+        const large = tooLarge(file.name, file.size, "read");
+        if (large !== null) {
+            this.say(large);
+            return;
+        }
+        void file.text().then((text) => {
+            this.setStandard(text, file.name);
+        });
     }
 
     /** @return whether the fragment held a paint */
@@ -236,7 +300,7 @@ export class Studio {
         try {
             const document = await fromFragment(fragment);
             if (document === null) return false;
-            this.edit(() => document);
+            this.load(document);
             return true;
         } catch (error) {
             this.say(messageOf(error));
@@ -249,7 +313,9 @@ export class Studio {
     }
 
     setSettings(change: Partial<Settings>): void {
-        this.store.set({ settings: { ...this.store.get().settings, ...change } });
+        const { settings, fit } = this.store.get();
+        // What was found is shown at the new angles, in the new light.
+        this.store.set({ settings: { ...settings, ...change }, fit: { ...fit, colours: [] } });
         this.measure();
     }
 
@@ -304,12 +370,20 @@ export class Studio {
             shader: document !== null && this.viewer.wantsShader,
             lamp,
         };
+        // Undo may have gone back to a paint of another text, whose comments are to be kept.
+        const text = document?.toml;
+        if (text !== undefined && text !== this.openedText) {
+            this.openedText = text;
+            const id = this.session.send("open", { toml: text }, () => {
+                this.session.forget(id);
+            });
+        }
         let chipsAreDrawn = Promise.resolve();
         let paint: RecipeMessage | null = null;
         let details: Pick<State, "details" | "latency_ms"> | null = null;
         const id = this.session.send("paint", fields, (message, attachments) => {
             if (document === null) {
-                this.receiveMatch(id, message);
+                this.receiveMatch(id, { recipe, settings }, message);
                 return;
             }
             switch (message.type) {
@@ -369,9 +443,15 @@ export class Studio {
         this.painting.want({ recipe, document: null, settings, lamp: this.lamp, since });
     }
 
-    private receiveMatch(id: number, message: Message): void {
+    private receiveMatch(
+        id: number,
+        of: Pick<PaintRequest, "recipe" | "settings">,
+        message: Message,
+    ): void {
         if (message.type === "readings") {
-            const { fit } = this.store.get();
+            const { fit, settings } = this.store.get();
+            const match = fit.matches?.[fit.colours.length];
+            if (match?.recipe !== of.recipe || settings !== of.settings) return; // of another fit
             const colours = [...fit.colours, message as unknown as Readings];
             this.store.set({ fit: { ...fit, colours } });
         } else if (message.type === "done") this.answered(id, null);
@@ -384,20 +464,32 @@ export class Studio {
     // ---- the standard ----
 
     setStandard(csv: string | null, name: string): void {
-        this.standardText = csv === null ? null : { csv, name };
-        this.sendStandard();
+        const large = csv === null ? null : textTooLarge(name, csv);
+        if (large !== null) {
+            this.say(large);
+            return;
+        }
+        this.standardAsked = { csv, name };
+        this.sendStandard(this.standardAsked);
     }
 
-    private sendStandard(): void {
-        const { csv, name } = this.standardText ?? { csv: null, name: "" };
+    private sendStandard(asked: StandardText): void {
+        if (!this.session.isOpen) return; // when there is a server
+        const { csv, name } = asked;
         const id = this.session.send("standard", { csv, name }, (message) => {
             this.session.forget(id);
+            const isNew = asked === this.standardAsked;
+            if (isNew) this.standardAsked = null;
             if (message.type === "error") {
-                this.standardText = null;
                 this.say(`The standard cannot be used: ${String(message.message)}`);
                 return;
             }
+            this.standardText = csv === null ? null : asked;
             const standard = csv === null ? null : (message as unknown as Standard);
+            if (isNew) {
+                this.stopFit();
+                this.store.set({ fit: NO_FIT });
+            }
             this.store.set({ standard, notice: standard?.notes.join(" ") ?? "" });
             this.measure();
         });
@@ -407,6 +499,10 @@ export class Studio {
 
     fit(free: readonly string[], starts: number): void {
         const { document } = this.store.get();
+        if (!this.session.isOpen) {
+            this.store.set({ fit: { ...NO_FIT, fault: NO_SERVER } });
+            return;
+        }
         this.store.set({ fit: { ...NO_FIT, running: true, began: document } });
         const fields = { recipe: document.recipe, free, starts };
         this.fitId = this.session.send("fit", fields, (message) => {
@@ -465,6 +561,7 @@ export class Studio {
     /**
      * One question, one answer.
      * @param progress  told how far it is meanwhile
+     * @param lost  told when the server goes away before it has answered
      * @return whether there was somebody to ask
      */
     ask(
@@ -472,6 +569,7 @@ export class Studio {
         fields: Readonly<Record<string, unknown>>,
         answer: Answer,
         progress: (fraction: number) => void = () => undefined,
+        lost: () => void = () => undefined,
     ): boolean {
         if (!this.session.isOpen) return false;
         const id = this.session.send(type, fields, (message, attachments) => {
@@ -480,8 +578,10 @@ export class Studio {
                 return;
             }
             this.session.forget(id);
+            this.lost.delete(id);
             answer(message, attachments);
         });
+        this.lost.set(id, lost);
         return true;
     }
 }

@@ -1,7 +1,8 @@
 /** A number of the recipe: slider, field, unit and lock. */
 
 import type { VNode } from "preact";
-import { useId, useRef, useState } from "preact/hooks";
+import { useEffect, useId, useRef, useState } from "preact/hooks";
+import type { Document } from "../edit";
 import { setLock, setValue } from "../edit";
 import type { KeyInfo } from "../schema";
 import { labelOf, placeText, rangeText } from "../schema";
@@ -41,7 +42,14 @@ export function NumberRow(props: {
     const fault = useFaultAt(path);
     const id = useId();
     const [draft, setDraft] = useState<string | null>(null);
-    const [wrong, setWrong] = useState<string | null>(null);
+    const [wrong, setWrong] = useState<{ readonly text: string; readonly of: Document } | null>(
+        null,
+    );
+    // It is of what was typed into this paint: an undo or a step of the arrows is another.
+    const stands = useStudioState(({ document }) => wrong?.of === document);
+    useEffect(() => {
+        if (!stands) setWrong(null);
+    }, [stands]);
     const scale = useRef<Scale | null>(null);
     const dragging = useRef(false);
 
@@ -54,7 +62,7 @@ export function NumberRow(props: {
     const { unit } = labelOf(info.key);
     const label = props.label ?? labelOf(info.key).label;
     const range = rangeText(info);
-    const full = `${label}, ${place}`;
+    const full = place === "" ? label : `${label}, ${place}`;
     const change = (to: number, gesture: string | null) => {
         studio.edit((document) => setValue(document, path, to), gesture);
     };
@@ -63,7 +71,8 @@ export function NumberRow(props: {
         const typed = Number(draft.trim().replace("−", "-").replace(",", "."));
         setDraft(null);
         if (draft.trim() === "" || !Number.isFinite(typed)) {
-            setWrong(`“${draft}” is not a number`);
+            const of = studio.store.get().document;
+            setWrong({ text: `“${draft}” is not a number`, of });
             return;
         }
         setWrong(null);
@@ -75,7 +84,7 @@ export function NumberRow(props: {
         const size = event.shiftKey ? 10 * step : step;
         change(settled(info, { low, high: Infinity, step }, value + sign * size), `type ${text}`);
     };
-    const message = wrong ?? fault;
+    const message = stands && wrong !== null ? wrong.text : fault;
     return (
         <div class={message === null ? "row number" : "row number wrong"} data-key={text}>
             <label for={id} title={info.doc}>
@@ -130,6 +139,7 @@ export function NumberRow(props: {
                 title={range === "" ? info.doc : `${info.doc}; ${range}`}
                 aria-label={full}
                 aria-invalid={message !== null}
+                data-draft={draft !== null}
                 aria-describedby={message === null ? undefined : `${id}-fault`}
                 onInput={(event) => {
                     setDraft(event.currentTarget.value);

@@ -35,8 +35,8 @@ export function AtlasPanel(): VNode | null {
     const settings = useStudioState((state) => state.settings);
     const connected = useStudioState((state) => state.connection === "open");
     const fault = useAtlasState((state) => state.fault);
-    const [key, setKey] = useState<string | null>(null);
-    const [own, setOwn] = useState<ReadonlyMap<string, Ends>>(new Map());
+    const setup = useStudioState((state) => state.atlasSetup);
+    const { key, ends: own } = setup;
     const { recipe } = document;
 
     const all = useMemo(
@@ -78,7 +78,8 @@ export function AtlasPanel(): VNode | null {
         );
     };
     const setEnds = (change: Partial<Ends>) => {
-        setOwn(new Map(own).set(name, { ...ends, ...change }));
+        const now = new Map(own).set(name, { ...ends, ...change });
+        studio.store.set({ atlasSetup: { ...setup, ends: now } });
     };
     return (
         <div class="atlas">
@@ -87,7 +88,8 @@ export function AtlasPanel(): VNode | null {
                     aria-label="Number of the atlas"
                     value={name}
                     onChange={(event) => {
-                        setKey(event.currentTarget.value);
+                        const { value } = event.currentTarget;
+                        studio.store.set({ atlasSetup: { ...setup, key: value } });
                     }}
                 >
                     {films.length > 0 && <optgroup label="Films">{films.map(option)}</optgroup>}

@@ -1,7 +1,6 @@
 /** From the standard back to composition: which numbers are free, how it goes, and what was found. */
 
 import type { VNode } from "preact";
-import { useState } from "preact/hooks";
 import { chip } from "../../../common/colour";
 import { number } from "../../../common/dom";
 import type { Match, Readings } from "../protocol";
@@ -10,7 +9,11 @@ import { labelOf, parameters, placeText, plain } from "../schema";
 import type { Table } from "../tree";
 import { parsePath, pathText } from "../tree";
 import { useStudio, useStudioState } from "../ui/context";
+import { NumberField } from "../ui/number_field";
 import { standardAt } from "./chips";
+
+/** As the server has it. */
+const MOST_STARTS = 64;
 
 /** What a colourist turns first: free until it is said otherwise. */
 const USUAL = new Set(["volume_fraction", "alpha"]);
@@ -33,8 +36,8 @@ export function Fit(): VNode {
     const standard = useStudioState((state) => state.standard);
     const fit = useStudioState((state) => state.fit);
     const studio = useStudio();
-    const [said, setSaid] = useState<ReadonlyMap<string, boolean>>(new Map());
-    const [starts, setStarts] = useState(4);
+    const setup = useStudioState((state) => state.fitSetup);
+    const { said, starts } = setup;
     if (schema === null || standard === null) {
         return (
             <p class="empty">
@@ -75,16 +78,15 @@ export function Fit(): VNode {
                 )}
                 <label>
                     from{" "}
-                    <input
-                        type="number"
-                        min="1"
-                        max="64"
+                    <NumberField
+                        label="Starts"
+                        min={1}
+                        max={MOST_STARTS}
+                        step="1"
                         value={starts}
                         disabled={fit.running}
-                        aria-label="Starts"
-                        onChange={(event) => {
-                            const n = Math.round(Number(event.currentTarget.value));
-                            if (n >= 1) setStarts(n);
+                        set={(n) => {
+                            studio.store.set({ fitSetup: { ...setup, starts: n } });
                         }}
                     />{" "}
                     {starts === 1 ? "start" : "starts"}
@@ -114,7 +116,9 @@ export function Fit(): VNode {
                                 checked={isFree(parameter)}
                                 disabled={locks.has(key)}
                                 onChange={(event) => {
-                                    setSaid(new Map(said).set(key, event.currentTarget.checked));
+                                    const ticked = event.currentTarget.checked;
+                                    const now = new Map(said).set(key, ticked);
+                                    studio.store.set({ fitSetup: { ...setup, said: now } });
                                 }}
                             />
                             <span>

@@ -5,6 +5,7 @@ import { useRef, useState } from "preact/hooks";
 import { number } from "../../../common/dom";
 import type { Comparison } from "../protocol";
 import { useStudio, useStudioState } from "../ui/context";
+import { NumberField } from "../ui/number_field";
 import type { Tab } from "../ui/tabs";
 import { Tabs } from "../ui/tabs";
 import { AtlasPanel } from "./atlas";
@@ -111,10 +112,7 @@ function StandardBar(): VNode {
                 onChange={(event) => {
                     const [chosen] = event.currentTarget.files ?? [];
                     event.currentTarget.value = "";
-                    if (chosen === undefined) return;
-                    void chosen.text().then((text) => {
-                        studio.setStandard(text, chosen.name);
-                    });
+                    if (chosen !== undefined) studio.openStandard(chosen);
                 }}
             />
             {standard === null ? (
@@ -142,16 +140,14 @@ function StandardBar(): VNode {
                     </span>
                     <label>
                         ΔE ≤{" "}
-                        <input
-                            type="number"
-                            min="0.01"
-                            max="100"
-                            step="0.1"
+                        <NumberField
+                            label="Tolerance, Delta E 2000 at each angle"
+                            min={0.01}
+                            max={100}
+                            step="any"
                             value={tolerance}
-                            aria-label="Tolerance, Delta E 2000 at each angle"
-                            onChange={(event) => {
-                                const limit = Number(event.currentTarget.value);
-                                if (limit > 0) studio.setSettings({ tolerance: limit });
+                            set={(limit) => {
+                                studio.setSettings({ tolerance: limit });
                             }}
                         />
                     </label>
