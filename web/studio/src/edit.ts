@@ -101,7 +101,8 @@ function withList(document: Document, path: Path, list: readonly Value[]): Docum
 /** A new entry at a place of a list, which is made if it is not there. */
 export function insertEntry(document: Document, list: Path, at: number, entry: Value): Document {
     const entries = [...listAt(document, list)];
-    entries.splice(at, 0, entry);
+    // A copy, so that no two entries of a list are one object, by which they are told apart.
+    entries.splice(at, 0, isTable(entry) ? { ...entry } : entry);
     const moved = reindexed(document, list, (i) => (i >= at ? i + 1 : i));
     return withList(moved, list, entries);
 }

@@ -135,8 +135,8 @@ function required(schema: Schema, path: Path): Table {
 }
 
 /** The key of an orientation that tables its tilts, which its distribution says too. */
-const TILTS = "tilts";
-const TABULATED = "tabulated";
+export const TILTS = "tilts";
+export const TABULATED = "tabulated";
 
 /** The distribution that goes with the tilts of an orientation, or with its alpha. */
 function distributed(table: Table): Table {

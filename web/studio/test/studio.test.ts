@@ -228,3 +228,86 @@ test("a program that does not know the page's token is told from one that has go
     await settle();
     assert.equal(studio.store.get().connection, "open");
 });
+
+test("a text that no message holds is refused by its name, and nothing is sent", async () => {
+    const server = new FakeServer();
+    const { studio } = await studioWith(server);
+    server.answerOpen(PAINT);
+    const large = new File([new Uint8Array(9_000_000).fill(0x20)], "large.csv");
+    studio.openFile(large);
+    assert.match(studio.store.get().notice, /large\.csv has 9\.0 MB; at most 6\.0 MB/);
+    studio.setStandard(" ".repeat(9_000_000), "typed.csv");
+    assert.match(studio.store.get().notice, /typed\.csv has 9\.0 MB/);
+    studio.openFile(new File([large], "large.toml"));
+    assert.match(studio.store.get().notOpened ?? "", /large\.toml has 9\.0 MB; at most 6\.0 MB/);
+    await settle();
+    assert.equal(server.received("standard").length, 0);
+    assert.equal(server.received("open").length, 1);
+});
+
+test("a standard that is refused leaves the one before, which is there again after a break", async () => {
+    const server = new FakeServer();
+    const { studio } = await studioWith(server);
+    server.answerOpen(PAINT);
+    studio.setStandard("good", "good.csv");
+    const answer = (type: string) => {
+        const id = server.received("standard").at(-1)?.id;
+        server.answer({ type, id, name: "good.csv", notes: [], message: "bad" });
+    };
+    answer("standard");
+    studio.setStandard("bad", "bad.csv");
+    answer("error");
+    assert.equal(studio.store.get().standard?.name, "good.csv");
+    server.drop();
+    await server.reconnected;
+    server.open();
+    await settle();
+    assert.equal(server.received("standard").at(-1)?.csv, "good");
+});
+
+test("what is asked of a server that has gone is said or done when it is back", async () => {
+    const server = new FakeServer();
+    const { studio } = await studioWith(server);
+    server.answerOpen(PAINT);
+    let lost = false;
+    const asked = studio.ask(
+        "report",
+        {},
+        () => undefined,
+        undefined,
+        () => {
+            lost = true;
+        },
+    );
+    assert.ok(asked);
+    server.drop();
+    assert.ok(lost);
+    studio.fit([COAT], 1);
+    assert.equal(studio.store.get().fit.running, false);
+    assert.match(studio.store.get().fit.fault ?? "", /no server/);
+    studio.openText("name = 1");
+    assert.equal(server.received("open").at(-1)?.toml === "name = 1", false);
+    await server.reconnected;
+    server.open();
+    await settle();
+    assert.equal(server.received("open").at(-1)?.toml, "name = 1");
+});
+
+test("undo across another paint tells the server whose comments to keep, and drops what was found", async () => {
+    const server = new FakeServer();
+    const { studio } = await studioWith(server);
+    server.answerOpen(PAINT);
+    server.answerPaint();
+    const first = server.received("open").at(-1)?.toml;
+    studio.store.set({
+        fitSetup: { said: new Map([[COAT, true]]), starts: 9 },
+        fit: { ...studio.store.get().fit, matches: [] },
+    });
+    studio.openText("other");
+    server.answerOpen({ ...PAINT, name: "Other" });
+    server.answerPaint();
+    assert.equal(studio.store.get().fit.matches, null);
+    assert.deepEqual(studio.store.get().fitSetup, { said: new Map(), starts: 9 });
+    studio.undo();
+    assert.equal(server.received("open").at(-1)?.toml, first);
+});

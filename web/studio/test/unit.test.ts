@@ -9,7 +9,8 @@ import { insertEntry, moveEntry, removeEntry, setLock } from "../src/edit";
 import { fileName } from "../src/files";
 import { History } from "../src/history";
 import { Latest } from "../src/latest";
-import { fromFragment, toFragment } from "../src/link";
+import { EntryKeys } from "../src/ui/entry_keys";
+import { fromFragment, linkIn, toFragment } from "../src/link";
 import { fitted, orbitOf, turned, wrapped } from "../src/orbit";
 import { coarser } from "../src/renderer/coarse_mesh";
 import type { Mesh } from "../src/renderer/paint";
@@ -320,6 +321,8 @@ test("a camera is angles about the shape, and turning stops before the poles", (
     assert.ok(Math.abs(half(narrow.fov_deg) / half(11) - 2.25) < 1e-9, "as much from side to side");
     assert.ok(!("aspect" in narrow), "the server knows no such key");
     assert.equal(turned(orbit, 500).elevation_deg, 85);
+    const nearest = turned(orbit, 0, 1e9).distance_mm;
+    assert.ok(nearest > 80 && nearest < 90, "before the surface of a ball of 82 mm");
     assert.equal(wrapped(190), -170);
     assert.equal(wrapped(-540), 180);
 });
@@ -421,4 +424,29 @@ test("a steady component is drawn when a property or a step of its path is anoth
     );
     assert.equal(draws({ path: ["layer", 0], value }, { path: ["layer", 0] }), true);
     assert.equal(draws({ path: ["layer", 0] }, { path: ["layer", 0], value }), true);
+});
+
+test("a link is told from a recipe, whole or from its # on", () => {
+    for (const text of [
+        "http://127.0.0.1:1/?token=a#paint=ab-_9",
+        "#paint=ab-_9",
+        " paint=ab-_9\n",
+    ]) {
+        assert.equal(linkIn(text), "#paint=ab-_9", text);
+    }
+    for (const text of ['paint="red"', "ior = 1.5", "a#paint=b\nior = 1.5"]) {
+        assert.equal(linkIn(text), null, text);
+    }
+});
+
+test("entries of a list keep their keys as they move, change and come back", () => {
+    const keys = new EntryKeys();
+    const [a, b, c] = [{ n: 1 }, { n: 2 }, { n: 3 }];
+    assert.deepEqual(keys.of([a, b]), [0, 1]);
+    assert.deepEqual(keys.of([b, a]), [1, 0], "moved");
+    const changed = { n: 4 };
+    assert.deepEqual(keys.of([b, changed]), [1, 0], "changed");
+    assert.deepEqual(keys.of([c, b, changed]), [2, 1, 0], "one before them");
+    assert.deepEqual(keys.of([c, changed]), [2, 0], "one taken out");
+    assert.deepEqual(keys.of([c, b, changed]), [2, 1, 0], "and back");
 });

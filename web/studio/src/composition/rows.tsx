@@ -5,10 +5,11 @@ import { useId } from "preact/hooks";
 import { setValue } from "../edit";
 import type { KeyInfo, Rgb } from "../schema";
 import { labelOf, placeText } from "../schema";
-import { withChoice } from "../starters";
+import { TABULATED, withChoice } from "../starters";
 import type { Path, Value } from "../tree";
-import { get, isList, isTable } from "../tree";
+import { get, isList, isTable, pathText } from "../tree";
 import { useStudio, useStudioState } from "../ui/context";
+import { focusSoon } from "../ui/focus";
 import { Picker } from "../ui/picker";
 import { steady } from "../ui/steady";
 import { FaultText, useFaultAt } from "./fault";
@@ -146,7 +147,8 @@ function PigmentRow(props: RowProps): VNode {
 function ChoiceRow(props: RowProps): VNode {
     const row = useRow(props);
     const { info, value } = props;
-    const words = Array.isArray(info.choices) ? (info.choices as readonly string[]) : [];
+    const all = Array.isArray(info.choices) ? (info.choices as readonly string[]) : [];
+    const words = all.filter((word) => word !== TABULATED || word === value);
     const studio = useStudio();
     const choose = (word: string) => {
         const { schema } = studio.store.get();
@@ -268,6 +270,7 @@ function SamplesRow(props: RowProps): VNode {
                     aria-label={`One number in place of samples: ${row.full}`}
                     onClick={() => {
                         row.set(meanOf(value));
+                        focusSoon(`[data-key='${pathText(props.path)}'] input[type=text]`);
                     }}
                 >
                     One number

@@ -15,10 +15,12 @@ import {
     singular,
     tableInfo,
 } from "../schema";
-import { newEntry, starter, switched } from "../starters";
+import { newEntry, starter, switched, TILTS } from "../starters";
 import type { Path, Table, Value } from "../tree";
 import { get, isList, isTable, pathText } from "../tree";
 import { useStudio, useStudioState, useValueAt } from "../ui/context";
+import { useEntryKeys } from "../ui/entry_keys";
+import { focusSoon } from "../ui/focus";
 import { Icon, IconButton } from "../ui/icons";
 import { Picker } from "../ui/picker";
 import { steady } from "../ui/steady";
@@ -155,6 +157,7 @@ function MoreOf(props: {
                   const now = chosen(table, group);
                   const mine = group.each[now]?.mark ?? "";
                   if (i === now || mark === "" || mine === "" || foreign.has(mine)) return [];
+                  if (mark === TILTS) return []; // read from a file: a table made up takes minutes to solve
                   return [{ g, i, text: `${labelOf(mark).label} in place of ${lower(mine)}` }];
               }),
           );
@@ -242,7 +245,11 @@ function Folding(props: {
 }): VNode {
     const [open, setOpen] = useState(true);
     return (
-        <section class={`part ${props.kind}`} aria-label={props.label}>
+        <section
+            class={`part ${props.kind}`}
+            aria-label={props.label}
+            data-part={pathText(props.path)}
+        >
             <header>
                 <button
                     type="button"
@@ -283,6 +290,10 @@ function SectionForm({ path, info }: { readonly path: Path; readonly info: KeyIn
                         label={`Remove ${label}`}
                         onClick={() => {
                             studio.edit((document) => setValue(document, path, undefined));
+                            focusSoon(
+                                `select.more[data-at='${pathText(path.slice(0, -1))}']`,
+                                ".paint-name .name",
+                            );
                         }}
                     />
                 )
@@ -297,19 +308,26 @@ const ListForm = steady(({ path }: { readonly path: Path }): VNode => {
     const value = useValueAt(path);
     const entries = isList(value) ? value : [];
     const list = String(path.at(-1));
+    const keys = useEntryKeys(entries);
     const order = [...entries.keys()];
     if (REVERSED.has(list)) order.reverse();
     const add = <AddEntry path={path} at={entries.length} />;
     return (
-        <div class={`list ${list}`}>
+        <div class={`list ${list}`} data-list={pathText(path)}>
             {REVERSED.has(list) && add}
             {order.map((i) => (
-                <EntryForm key={i} path={path} i={i} count={entries.length} />
+                <EntryForm key={keys[i]} path={path} i={i} count={entries.length} />
             ))}
             {!REVERSED.has(list) && add}
         </div>
     );
 });
+
+/** The button of an entry's heading. */
+function toolOf(list: Path, i: number, icon: "up" | "down" | "remove"): string {
+    const part = pathText([...list, i]);
+    return `[data-part='${part}'] > header .icon-button[data-icon='${icon}']`;
+}
 
 const OWN_PIGMENT = "own coefficients";
 
@@ -407,6 +425,8 @@ const EntryForm = steady(({ path, i, count }: EntryProps): VNode | null => {
             disabled={i + by < 0 || i + by >= count}
             onClick={() => {
                 studio.edit((document) => moveEntry(document, path, i, by));
+                const other = word === "up" ? "down" : "up";
+                focusSoon(toolOf(path, i + by, word), toolOf(path, i + by, other));
             }}
         />
     );
@@ -432,6 +452,12 @@ const EntryForm = steady(({ path, i, count }: EntryProps): VNode | null => {
                         label={`Remove ${label}`}
                         onClick={() => {
                             studio.edit((document) => removeEntry(document, path, i));
+                            focusSoon(
+                                toolOf(path, i, "remove"),
+                                toolOf(path, i - 1, "remove"),
+                                `[data-list='${pathText(path)}'] > .add`,
+                                `[data-list='${pathText(path)}'] > .add button`,
+                            );
                         }}
                     />
                 </>

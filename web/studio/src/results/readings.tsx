@@ -5,6 +5,7 @@ import { useRef, useState } from "preact/hooks";
 import { number } from "../../../common/dom";
 import type { Comparison } from "../protocol";
 import { useStudio, useStudioState } from "../ui/context";
+import { focusSoon } from "../ui/focus";
 import { NumberField } from "../ui/number_field";
 import type { Tab } from "../ui/tabs";
 import { Tabs } from "../ui/tabs";
@@ -155,8 +156,14 @@ function StandardBar(): VNode {
                         type="button"
                         class="small"
                         aria-label="Remove the standard"
-                        onClick={() => {
+                        onClick={({ currentTarget: button }) => {
                             studio.setStandard(null, "");
+                            const leave = studio.store.subscribe(() => {
+                                if (studio.store.get().standard !== null) return;
+                                leave();
+                                if (document.activeElement === button)
+                                    focusSoon(".standard button");
+                            });
                         }}
                     >
                         Remove

@@ -37,6 +37,7 @@ export function IconButton(props: {
         <button
             type="button"
             class="icon-button"
+            data-icon={props.icon}
             aria-label={props.label}
             title={props.label}
             disabled={props.disabled ?? false}
