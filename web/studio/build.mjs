@@ -55,6 +55,7 @@ async function buildTests() {
         "studio.test",
         "viewer.test",
         "browser.test",
+        "layout.test",
         "tools.test",
         "picture.test",
         "live.test",

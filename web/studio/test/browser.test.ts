@@ -202,103 +202,6 @@ test("layers, films and pigments are added, moved, copied and removed by name", 
     assert.match((await saved("Save recipe")).text, /TiO2_anatase/);
 });
 
-test("names and sliders of numbers are seen whole, on tablets too", async () => {
-    await open();
-    for (const [width, height] of [
-        [1280, 800],
-        [1024, 768],
-        [820, 1180],
-    ] as const) {
-        await page.setViewportSize({ width, height });
-        const rows = await page.$$eval(".row.number", (found) =>
-            found.map((row) => {
-                const label = row.querySelector("label") as Element;
-                const slider = row.querySelector("input[type=range]") as Element;
-                return {
-                    cut: label.scrollWidth > label.clientWidth ? label.textContent : "",
-                    slider: slider.getBoundingClientRect().width,
-                };
-            }),
-        );
-        assert.ok(rows.length > 8);
-        for (const { cut, slider } of rows) {
-            assert.equal(cut, "", `at ${String(width)} x ${String(height)}`);
-            assert.ok(slider >= 90, `${String(slider)} at ${String(width)} x ${String(height)}`);
-        }
-        const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-        assert.equal(wide, width);
-        // Who moves the last slider sees the picture and the chips.
-        await page.locator(".row.number").last().scrollIntoViewIfNeeded();
-        for (const selector of [".picture", ".chips"]) {
-            const box = await page.locator(selector).boundingBox();
-            assert.ok(box && box.y >= 0 && box.y + box.height <= height, selector);
-        }
-    }
-    await page.setViewportSize({ width: 1280, height: 800 });
-    // As light meets them.
-    const headings = await page.$$eval("section.flakes .part", (found) =>
-        found.map((part) => part.querySelector("h3")?.textContent),
-    );
-    assert.deepEqual(headings, ["Orientation", "Coat 2", "Coat 1", "Core"]);
-});
-
-test("lists to choose from are seen whole, wherever their button is", async () => {
-    await open();
-    for (const label of ["Add a pigment", "Start from a paint that ships"]) {
-        const button = page.getByRole("button", { name: label });
-        await button.scrollIntoViewIfNeeded();
-        await button.click();
-        const list = page.getByRole("listbox", { name: label });
-        const box = await list.boundingBox();
-        assert.ok(box && box.height >= 200, `${label}: ${String(box?.height)}`);
-        assert.ok(box.y >= 0 && box.y + box.height <= 800);
-        // What is at its corners is the list itself, and not what it lies over.
-        const covered = await list.evaluate((element) => {
-            const { left, right, top, bottom } = element.getBoundingClientRect();
-            const inset = 3;
-            return [left + inset, right - inset].some((x) =>
-                [top + inset, bottom - inset].some(
-                    (y) => document.elementFromPoint(x, y)?.closest(".choices") !== element,
-                ),
-            );
-        });
-        assert.ok(!covered, label);
-        await page.keyboard.press("Escape");
-        assert.equal(await list.count(), 0);
-    }
-});
-
-test("a list stays with its button when the form scrolls, until the button is out of sight", async () => {
-    await open();
-    const button = page.getByRole("button", { name: "Add a pigment" });
-    await button.scrollIntoViewIfNeeded();
-    await button.click();
-    const list = page.getByRole("listbox", { name: "Add a pigment" });
-    const scroll = (by: number) =>
-        button.evaluate((element, by) => {
-            let pane: Element | null = element;
-            while (pane !== null && pane.scrollTop === 0) pane = pane.parentElement;
-            pane?.scrollBy(0, by);
-            return new Promise<boolean>((resolve) =>
-                requestAnimationFrame(() =>
-                    requestAnimationFrame(() => {
-                        resolve(pane !== null);
-                    }),
-                ),
-            );
-        }, by);
-    const gap = async () => {
-        const [its, from] = [await list.boundingBox(), await button.boundingBox()];
-        assert.ok(its && from);
-        return its.y < from.y ? from.y - its.y - its.height : its.y - from.y - from.height;
-    };
-    const before = await gap();
-    assert.ok(await scroll(-40));
-    assert.ok(Math.abs((await gap()) - before) < 0.5, String(await gap()));
-    await scroll(-5000);
-    await list.waitFor({ state: "detached" });
-});
-
 test("the address holds the paint and its locks", async () => {
     await open();
     await type(FILM, "250");
@@ -360,6 +263,79 @@ test("everything can be done from the keyboard", async () => {
     await reach("Flop");
     await page.keyboard.press("ArrowRight");
     assert.equal(await page.locator("[role=tabpanel] table").count(), 1);
+});
+
+test("the keyboard goes on where it was used, as parts move and go", async () => {
+    await open();
+    const at = () => page.evaluate(() => document.activeElement?.getAttribute("aria-label") ?? "");
+    const press = async (name: string) => {
+        await page.getByRole("button", { name, exact: true }).focus();
+        await page.keyboard.press("Enter");
+        await settled();
+    };
+    const focused = (name: string) =>
+        page.waitForFunction(
+            (label) => document.activeElement?.getAttribute("aria-label") === label,
+            name,
+        );
+    await press("Duplicate Layer");
+    await press("Duplicate Layer 2");
+    await press("Move Layer 3 up");
+    await focused("Move Layer 2 up");
+    await page.keyboard.press("Enter");
+    await focused("Move Layer 1 down"); // first of all it cannot go further up
+    await press("Remove Layer 3");
+    await focused("Remove Layer 2");
+    await page.keyboard.press("Enter");
+    await focused("Remove Layer");
+    assert.equal(await at(), "Remove Layer");
+});
+
+test("what a number cannot be is forgotten when the number is another", async () => {
+    await open();
+    await page.fill(field(FILM), "thin");
+    await page.press(field(FILM), "Enter");
+    const wrong = page.locator(`${row(FILM)} [role=alert]`);
+    await wrong.waitFor();
+    assert.match((await wrong.textContent()) ?? "", /thin.* is not a number/);
+    await page.focus(slider(FILM));
+    await page.keyboard.press("ArrowRight");
+    await settled();
+    assert.equal(await wrong.count(), 0);
+    // Nothing has been typed since: Ctrl+Z is the paint's.
+    await page.focus(field(FILM));
+    await page.keyboard.press("Control+z");
+    await settled();
+    assert.equal(await page.inputValue(field(FILM)), "208");
+});
+
+test("More offers only what makes a valid paint", async () => {
+    await open();
+    const undo = "[aria-label='Undo (Ctrl+Z)']";
+    const offered = await page.$$eval("select.more", (found) =>
+        found.flatMap((select) => {
+            const { options, dataset } = select as HTMLSelectElement;
+            return [...options]
+                .slice(1)
+                .map(({ value, text }) => ({ value, text, at: dataset.at ?? "" }));
+        }),
+    );
+    assert.ok(offered.length > 20, String(offered.length));
+    assert.ok(!offered.some(({ text }) => text.startsWith("Tilts")));
+    for (const { value, text, at } of offered) {
+        await page.selectOption(`select.more[data-at='${at}']`, value);
+        await page.waitForSelector(`${undo}:not(:disabled)`);
+        await page.waitForFunction(
+            () =>
+                document.querySelector(".chips")?.getAttribute("data-current") === "true" ||
+                document.querySelector(".said.wrong") !== null,
+        );
+        const said = page.locator(".said.wrong, .row.wrong");
+        assert.equal(await said.count(), 0, `${at}: ${text}`);
+        await page.click(undo);
+        await page.waitForSelector(`${undo}:disabled`);
+        await settled();
+    }
 });
 
 test("the page says when the program has gone", async () => {

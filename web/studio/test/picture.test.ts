@@ -130,6 +130,22 @@ test("the picture gets better, follows turning, and A is held beside B", async (
     await settled();
     await page.locator(".wipe").fill("0.25");
     assert.equal(await page.locator(".wiped canvas").count(), 1);
+    // The line is dragged, and A is drawn anew when its light is turned.
+    const line = await page.locator(".wipe-line").boundingBox();
+    const place = await page.locator(".picture").boundingBox();
+    assert.ok(line && place);
+    await page.mouse.move(line.x + line.width / 2, line.y + 40);
+    await page.mouse.down();
+    await page.mouse.move(place.x + 0.6 * place.width, line.y + 40, { steps: 4 });
+    await page.mouse.up();
+    const wiped = Number(await page.locator(".wipe").inputValue());
+    assert.ok(Math.abs(wiped - 0.6) < 0.02, String(wiped));
+    const kept = await mean(".wiped canvas");
+    await page.focus(".turnable");
+    for (let i = 0; i < 6; ++i) await page.keyboard.press("Shift+ArrowLeft");
+    const drawn = async () => !near(await mean(".wiped canvas"), kept, 0.2);
+    for (let i = 0; i < 1200 && !(await drawn()); ++i) await page.waitForTimeout(500);
+    assert.ok(await drawn(), "A under the light that was turned");
     await page.click("text=Back to A");
     await settled();
     assert.equal(await page.inputValue(field(FILM)), "208");

@@ -14,6 +14,8 @@ interface Group {
     readonly places: readonly { readonly i: number; readonly label: string }[];
 }
 
+const OFF_THE_PLANE = "Off the plane";
+
 /** Angles by lamp, from the smallest to the largest, and those off the plane together at the end. */
 export function groups(names: readonly string[]): Group[] {
     const result: Group[] = [...byLamp(names)].map(([lamp, angles]) => ({
@@ -27,7 +29,7 @@ export function groups(names: readonly string[]): Group[] {
     const others = names
         .map((name, i) => ({ i, label: angleName(name) }))
         .filter(({ i }) => !seen.has(i));
-    if (others.length > 0) result.push({ title: "Off the plane", places: others });
+    if (others.length > 0) result.push({ title: OFF_THE_PLANE, places: others });
     return result;
 }
 
@@ -36,6 +38,21 @@ export function standardAt(readings: Readings, i: number): Lab | null {
     const { standard, geometries } = readings;
     const place = standard?.geometries.indexOf(geometries[i] as string) ?? -1;
     return standard?.lab[place] ?? null;
+}
+
+/** The name of an angle, which breaks before its azimuth and after its comma where there is no room. */
+export function AngleText({ text }: { readonly text: string }): VNode {
+    const parts = text.replace(/az/, " az").replace(/,/, ", ").split(" ");
+    return (
+        <>
+            {parts.map((part, i) => (
+                <Fragment key={part}>
+                    {i > 0 && <wbr />}
+                    {part}
+                </Fragment>
+            ))}
+        </>
+    );
 }
 
 export function Chips(): VNode {
@@ -57,7 +74,7 @@ export function Chips(): VNode {
             {parts.map((group) => (
                 <section key={group.title} aria-label={group.title}>
                     {parts.length > 1 && <h3>{group.title}</h3>}
-                    <ol class="chip-row">
+                    <ol class={group.title === OFF_THE_PLANE ? "chip-row named" : "chip-row"}>
                         {group.places.map(({ i, label }) => (
                             <Chip key={i} readings={readings} i={i} label={label} />
                         ))}
@@ -92,12 +109,7 @@ function Chip({ readings, i, label }: { readings: Readings; i: number; label: st
                 {caveats.length > 0 && <abbr aria-label={caveats.join(", ")}>!</abbr>}
             </div>
             <b>
-                {label.split(/(?=az)/).map((part) => (
-                    <Fragment key={part}>
-                        {part}
-                        <wbr />
-                    </Fragment>
-                ))}
+                <AngleText text={label} />
             </b>
             <span class="lightness">
                 <span class="hidden">L* </span>

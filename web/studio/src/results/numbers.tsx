@@ -5,7 +5,7 @@ import type { Lab } from "../../../common/colour";
 import { chip, chroma, hue } from "../../../common/colour";
 import { angleName, number } from "../../../common/dom";
 import { useStudioState } from "../ui/context";
-import { groups } from "./chips";
+import { AngleText, groups } from "./chips";
 
 export function Numbers(): VNode | null {
     const readings = useStudioState((state) => state.details);
@@ -15,7 +15,7 @@ export function Numbers(): VNode | null {
     const name = (i: number) => (
         <th scope="row">
             <i class="dot" style={{ background: chip(readings.lab[i] as Lab).css }} />
-            {angleName(readings.geometries[i] as string)}
+            <AngleText text={angleName(readings.geometries[i] as string)} />
         </th>
     );
     return (
