@@ -259,8 +259,14 @@ class BoundMicroflake : public BoundBsdf {
     /// Of the coat, along both directions together, of one standard deviation of its thickness.
     FloatLanes coat_depth_of_deviation(const Ray& i, const Ray& o) const;
     FloatLanes interface_factor(const Ray& i, const Ray& o) const {
-        return i.look_up(transmittance_over_cosine_) * o.look_up(transmittance_over_cosine_) *
-               inverse_ior2_ * (i.outside.z * o.outside.z);
+        return i.look_up(scaled_transmittance_) * o.look_up(scaled_transmittance_) * inverse_ior2_ *
+               (transmittance_scale(i) * transmittance_scale(o));
+    }
+    /// Of what a smooth interface lets through: it vanishes at grazing incidence as the transmittance
+    /// does, and is 1/4 where the index is 1.
+    static float transmittance_scale(const Ray& i) {
+        const float sum = i.outside.z + i.inside.z;
+        return i.outside.z * i.inside.z / (sum * sum);
     }
     template <class Flakes>
     FloatLanes single(Vec3f inside_i, Vec3f inside_o, const Ray& i, const Ray& o,
@@ -276,8 +282,9 @@ class BoundMicroflake : public BoundBsdf {
     FloatLanes clearcoat_depth_, ior_, inverse_ior2_;
     bool dispersive_ = false;
     float mean_ior_, inverse_mean_ior_;
-    /// By direction: transmittance of a smooth interface over the cosine, finite at grazing.
-    std::vector<FloatLanes> transmittance_over_cosine_;
+    /// By direction: transmittance of a smooth interface over transmittance_scale(), of which linear
+    /// interpolation is right at grazing incidence, whatever the index.
+    std::vector<FloatLanes> scaled_transmittance_;
     struct Rough {
         InterfaceLobe interface;
         BoundSmoothTable single;  // single scattering alone: bind_rough_single()

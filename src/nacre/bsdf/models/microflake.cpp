@@ -192,9 +192,13 @@ void BoundMicroflake::bind_rough_single() {
 
 void BoundMicroflake::bind_smooth_interface() {
     for (int row = 0; row <= kDirectionIntervals; ++row) {
-        const float cosine = static_cast<float>(std::cos(direction_angle(row)));
-        transmittance_over_cosine_.push_back(
-            (1.0f - optics::dielectric_reflectance(splat(1.0f), ior_, splat(cosine))) / cosine);
+        const Ray ray = bsdf::make_ray(direction_angle(row), 0.0, inverse_mean_ior_);
+        const double cosine = ray.outside.z;
+        const DoubleLanes transmittance =
+            1.0 - optics::dielectric_reflectance(
+                      splat(1.0), __builtin_convertvector(ior_, DoubleLanes), splat(cosine));
+        scaled_transmittance_.push_back(__builtin_convertvector(transmittance, FloatLanes) /
+                                        transmittance_scale(ray));
     }
 }
 

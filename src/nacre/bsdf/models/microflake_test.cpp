@@ -92,6 +92,33 @@ TEST(Microflake, RefractsEachWavelengthItsOwnWay) {
     EXPECT_LT(worst_error(Model(recipe)), kMicroflakeError);
 }
 
+// What a smooth interface lets through changes the faster towards grazing incidence the nearer its index
+// is to 1, where it is all. What is left is the table's: of the multiple scattering of light that grazes
+// on both ways.
+TEST(Microflake, AgreesWithTheSolvedPaintAtGrazingIncidenceWhateverTheIndex) {
+    struct Case {
+        double index, most;
+    };
+    for (const auto& [index, most] :
+         {Case{1.0, 0.3}, {1.001, 0.2}, {1.02, 0.05}, {1.1, 0.02}, {1.5, 0.004}, {2.5, 0.001}}) {
+        paint::Recipe recipe = metallic(0.2, 0.8);
+        recipe.binder = optics::Material(index);
+        const Model model(recipe);
+        const auto bound = model.bsdf->bind(kOnGrid);
+        constexpr double kPhi = 160;
+        for (const double theta_i : {1.0, 45.0, 89.0, 89.6, 89.9}) {
+            for (const double theta_o : {89.0, 89.4, 89.6, 89.8, 89.95}) {
+                constexpr auto kIndex = static_cast<std::size_t>((kOnGrid[0] - 400) / 10);
+                const double expected =
+                    model.paint->brdf(theta_i * kDegree, theta_o * kDegree, kPhi * kDegree)[kIndex];
+                const FloatLanes f = bound->eval(direction(theta_i, 0), direction(theta_o, kPhi));
+                EXPECT_NEAR(f[0], expected, most * expected)
+                    << "index " << index << ", " << theta_i << " to " << theta_o << " deg";
+            }
+        }
+    }
+}
+
 paint::Recipe rough_pearl(double roughness) {
     paint::Recipe recipe = everything();
     recipe.clearcoat->roughness = roughness;
