@@ -40,7 +40,7 @@ TEST(FlakeFilms, RatiosAverageToOneEverywhere) {
     for (const float cosine : {0.6f, 0.7f, 0.7531f, 0.9f, 0.99999f, 1.0f, 1.000001f}) {
         DoubleLanes sum{};
         for (int i = 0; i < kSets; ++i) {
-            sum += __builtin_convertvector(films.ratio(cosine, bits_of(i, kSets)), DoubleLanes);
+            sum += to_double(films.ratio(cosine, bits_of(i, kSets)));
         }
         for (int lane = 0; lane < kLanes; ++lane) {
             EXPECT_NEAR(sum[lane] / kSets, 1, 1e-6);  // single precision

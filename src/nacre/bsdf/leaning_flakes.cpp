@@ -16,12 +16,6 @@ namespace {
 /// lies beyond its critical angle, a tenth and more of all light.
 constexpr float kAround = 1 / 4.0f;
 
-/// E(x) = (1 - e^-x) / x.
-FloatLanes escape(const FloatLanes& x) {
-    const FloatLanes safe = max_lanes(x, splat(1e-20f));
-    return one_minus_exp_lanes(safe) / safe;
-}
-
 Vec3f refracted(Vec3f w, float n) {
     const float sine2 = (w.x * w.x + w.y * w.y) / (n * n);
     return {w.x / n, w.y / n, std::sqrt(std::max(0.0f, 1 - sine2))};
@@ -123,8 +117,8 @@ const LeaningFlakes::Seen* LeaningFlakes::see(Vec3f w, std::optional<Seen>& room
 }
 
 FloatLanes LeaningFlakes::seen_once(const Seen& i, const Seen& o) const {
-    return (i.cosine * o.cosine / (i.inside.z * o.inside.z)) * escape(i.depth + o.depth) /
-           escape(i.asked + o.asked);
+    return (i.cosine * o.cosine / (i.inside.z * o.inside.z)) * mean_attenuation(i.depth + o.depth) /
+           mean_attenuation(i.asked + o.asked);
 }
 
 LeaningFlakes::Nearest LeaningFlakes::nearest(const Seen& seen_i, const Seen& seen_o) const {

@@ -15,7 +15,7 @@ constexpr float kMinMirroredRatio = 0.1f;
 /// Cosine outside under which the ground is seen where it is compared with itself.
 constexpr float kFarCosine = 0.5f;
 /// A - (A - 1) sqrt(rho* / rho) of light that would hardly leave flakes and interface but by the ground.
-constexpr float kLeastReturnRatio = 0.1f;
+constexpr float kMinReturnRatio = 0.1f;
 
 FloatLanes lost_on_the_way(const FlakeDepths& depths) { return depths.flakes + depths.swallowed; }
 
@@ -81,7 +81,7 @@ LeaningFlakes::GroundRays LeaningFlakes::ground_rays(const Seen& seen) const {
     const FloatLanes returned =
         max_lanes(from_here / max_lanes(along_normal, splat(1e-20f)), splat(1.0f)) - 1.0f;
     const FloatLanes here_over_flat =
-        max_lanes(1.0f + returned * (1 - std::sqrt(up / down)), splat(kLeastReturnRatio));
+        max_lanes(1.0f + returned * (1 - std::sqrt(up / down)), splat(kMinReturnRatio));
     for (int k = 0; k < rays.count; ++k) {
         rays.factor[k] = along_normal > 0.0f ? rays.factor[k] / here_over_flat : rays.factor[k];
     }

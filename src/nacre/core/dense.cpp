@@ -67,8 +67,8 @@ void add_product_with_transposed(RowMajorMatrix& to, const RowMajorView& a, cons
 
 Eigen::MatrixXd gram_matrix(const RowMajorView& a) {
     // Of so many rows at least each, and not of fewer for more threads, which would round otherwise.
-    constexpr Eigen::Index kRows = 2048, kMostPieces = 16;
-    const Eigen::Index pieces = std::clamp<Eigen::Index>(a.rows() / kRows, 1, kMostPieces);
+    constexpr Eigen::Index kRows = 2048, kMaxPieces = 16;
+    const Eigen::Index pieces = std::clamp<Eigen::Index>(a.rows() / kRows, 1, kMaxPieces);
     std::vector<Eigen::MatrixXd> sums(pieces, Eigen::MatrixXd::Zero(a.cols(), a.cols()));
     parallel_for(0, sums.size(), [&](std::size_t k) {
         const auto from = [&](Eigen::Index piece) { return a.rows() * piece / pieces; };

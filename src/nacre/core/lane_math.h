@@ -118,6 +118,15 @@ inline FloatLanes one_minus_exp_lanes(FloatLanes x) {
     return x < 0.05f ? series : direct;
 }
 
+/// The mean of e^-t over t from 0 to x >= 0, (1 - e^-x) / x: what a layer of that optical depth leaves of
+/// light that ends evenly within it. Relative error of one number below 1e-12, of lanes below
+/// kOneMinusExpLanesError.
+inline double mean_attenuation(double x) { return x > 1e-12 ? -std::expm1(-x) / x : 1.0; }
+inline FloatLanes mean_attenuation(const FloatLanes& x) {
+    const FloatLanes safe = max_lanes(x, splat(1e-20f));
+    return one_minus_exp_lanes(safe) / safe;
+}
+
 inline constexpr double kLogLanesError = 2e-7;
 
 /// Natural logarithm of x in [1e-37, 1e38], error below kLogLanesError (1 + |ln x|): by the

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "nacre/core/quadrature.h"
 #include "nacre/core/random.h"
 
 namespace nacre {
@@ -48,6 +49,22 @@ TEST(LaneMath, OneMinusExponentialKeepsItsDigitsWhereItVanishes) {
     }
     EXPECT_GT(worst, 0);
     EXPECT_LT(worst, kOneMinusExpLanesError);
+}
+
+TEST(LaneMath, MeanAttenuationIsOneWithoutDepthAndTheMeanOfTheExponential) {
+    EXPECT_EQ(mean_attenuation(0.0), 1.0);
+    EXPECT_EQ(mean_attenuation(splat(0.0f))[3], 1.0f);
+    const Quadrature rule = gauss_legendre(40, 0, 1);
+    for (const double x : {1e-14, 1e-6, 0.01, 0.3, 2.0, 20.0}) {
+        double mean = 0;
+        for (std::size_t n = 0; n < rule.nodes.size(); ++n) {
+            mean += rule.weights[n] * std::exp(-x * rule.nodes[n]);
+        }
+        EXPECT_NEAR(mean_attenuation(x), mean, 1e-12 * mean) << x;
+        EXPECT_NEAR(mean_attenuation(splat(static_cast<float>(x)))[3], mean,
+                    kOneMinusExpLanesError * mean)
+            << x;
+    }
 }
 
 TEST(Lanes, LargerSmallerAndRootActOnEachLane) {

@@ -111,6 +111,9 @@ inline int whole(float a) { return static_cast<int>(a); }
 inline IntLanes whole(FloatLanes a) { return __builtin_convertvector(a, IntLanes); }
 inline float to_float(int a) { return static_cast<float>(a); }
 inline FloatLanes to_float(IntLanes a) { return __builtin_convertvector(a, FloatLanes); }
+/// The other precision.
+inline FloatLanes to_float(const DoubleLanes& a) { return __builtin_convertvector(a, FloatLanes); }
+inline DoubleLanes to_double(FloatLanes a) { return __builtin_convertvector(a, DoubleLanes); }
 /// The elements of a table at these places.
 template <class T>
 inline T gather(const T* table, int at) {

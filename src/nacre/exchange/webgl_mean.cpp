@@ -4,6 +4,7 @@
 
 #include "nacre/bsdf/models/hot_spot.h"
 #include "nacre/core/half.h"
+#include "nacre/core/lane_math.h"
 #include "nacre/exchange/webgl_layout.h"
 
 // The arithmetic of webgl_shader.glsl, in double precision and from the same textures.
@@ -140,8 +141,7 @@ class Mean {
         BandSums out{};
         if (layout_.gaps.empty()) {
             for (int b = 0; b < kWebglBands; ++b) {
-                out[b] = depth[b] < 1e-2 ? 1 - depth[b] * (0.5 - depth[b] / 6)
-                                         : -std::expm1(-depth[b]) / depth[b];
+                out[b] = mean_attenuation(depth[b]);
             }
             return out;
         }

@@ -25,8 +25,6 @@ RandomStream stream_of(Vec3f wi, float u_select, Vec2f u) {
     return random;
 }
 
-FloatLanes to_float(const Lanes& x) { return __builtin_convertvector(x, FloatLanes); }
-
 bsdf::BsdfSample sample_of(const Escape& escape) {
     constexpr double kMmPerUm = 1e-3;
     return {.wo = to_float(escape.direction),

@@ -152,8 +152,8 @@ TEST(DielectricInterface, LanesAgreeWithScalars) {
     for (double n_t : {1.0, 1.5, 2.5}) {
         const DoubleLanes r = dielectric_reflectance(splat(1.5), splat(n_t), cosines);
         const DoubleLanes c = refracted_cos(splat(1.5), splat(n_t), cosines);
-        const FloatLanes single = fresnel_dielectric(splat(static_cast<float>(n_t / 1.5)),
-                                                     __builtin_convertvector(cosines, FloatLanes));
+        const FloatLanes single =
+            fresnel_dielectric(splat(static_cast<float>(n_t / 1.5)), to_float(cosines));
         for (int i = 0; i < kLanes; ++i) {
             // Lanes may fuse multiplications that scalars do not.
             EXPECT_NEAR(r[i], dielectric_reflectance(1.5, n_t, cosines[i]), 1e-15);

@@ -156,8 +156,8 @@ namespace {
 
 /// Corners of triangles, by material.
 std::vector<std::vector<PolygonMesh::Corner>> corners_by_material(const PolygonMesh& polygons) {
-    constexpr double kMostSteps = 2e9;
-    double steps = kMostSteps;
+    constexpr double kMaxSteps = 2e9;
+    double steps = kMaxSteps;
     std::vector<std::vector<PolygonMesh::Corner>> out(polygons.materials.size());
     std::vector<Vec3f> outline;
     std::uint32_t first = 0;
@@ -235,7 +235,7 @@ Mesh triangles_of(const PolygonMesh& polygons, const MeshFile& file, float mm_pe
 }
 
 std::vector<Vec3f> smooth_normals(std::span<const Vec3f> corners, double crease_angle_deg) {
-    constexpr std::size_t kMostWithCreases = 1024;
+    constexpr std::size_t kMaxWithCreases = 1024;
     constexpr float kTolerance = 1e-6f;  // of the cosine: rounding is no crease
     const float least_cosine =
         static_cast<float>(std::cos(crease_angle_deg * kDegree)) - kTolerance;
@@ -267,7 +267,7 @@ std::vector<Vec3f> smooth_normals(std::span<const Vec3f> corners, double crease_
             const Vec3f n = direction_of(sum);
             return dot(n, n) > 0 ? n : Vec3f{0, 0, 1};
         };
-        if (here.size() > kMostWithCreases) {
+        if (here.size() > kMaxWithCreases) {
             const Vec3f all = mean([](std::uint32_t) { return true; });
             for (const std::uint32_t i : here) normals[i] = all;
             return;

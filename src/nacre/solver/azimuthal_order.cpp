@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "nacre/core/lane_math.h"
 #include "nacre/optics/fresnel.h"
 
 namespace nacre::solver {
@@ -21,8 +22,7 @@ LaneBuffer balanced_extinction(const std::vector<Losses>& losses, const FourierK
             // would be flux lost or gained, 1e-8 of it per unit of optical depth.
             const DoubleLanes both =
                 2 * std::numbers::pi *
-                (__builtin_convertvector(kernel.same(block, 0)[at], DoubleLanes) +
-                 __builtin_convertvector(kernel.opposite(block, 0)[at], DoubleLanes));
+                (to_double(kernel.same(block, 0)[at]) + to_double(kernel.opposite(block, 0)[at]));
             scattering[i] += d.weight[j] * both;
             if (j != i) scattering[j] += d.weight[i] * both;
         }
@@ -68,13 +68,12 @@ PaintBlock make_block(const PaintMedium& medium, const Directions& d,
         for (int i = 0; i < lit; ++i) {
             for (int j = 0; j <= i; ++j) {
                 const DoubleLanes rate = total[i] / d.mu[i] + total[j] / d.mu[j];
-                factor[triangle(i) + j] =
-                    make_lanes<DoubleLanes>([&](int lane) {
-                        const double x = layer.thickness_um * rate[lane];
-                        return std::exp(-depth[i][lane] - depth[j][lane]) *
-                               (x > 1e-12 ? -std::expm1(-x) / rate[lane] : layer.thickness_um);
-                    }) *
-                    out.coat[i] * out.coat[j];
+                factor[triangle(i) + j] = make_lanes<DoubleLanes>([&](int lane) {
+                                              const double x = layer.thickness_um * rate[lane];
+                                              return std::exp(-depth[i][lane] - depth[j][lane]) *
+                                                     layer.thickness_um * mean_attenuation(x);
+                                          }) *
+                                          out.coat[i] * out.coat[j];
             }
         }
         for (int i = 0; i < lit; ++i) depth[i] += layer.thickness_um * total[i] / d.mu[i];
@@ -111,8 +110,8 @@ void set_operators(DoubleLanes* e, DoubleLanes* f, const LayerBlock& layer, cons
         for (int j = 0; j <= i; ++j) {
             const std::size_t at = triangle(i) + j;
             const double factor = scale[i] * scale[j];
-            const DoubleLanes stay = factor * __builtin_convertvector(same[at], DoubleLanes);
-            const DoubleLanes turn = factor * __builtin_convertvector(opposite[at], DoubleLanes);
+            const DoubleLanes stay = factor * to_double(same[at]);
+            const DoubleLanes turn = factor * to_double(opposite[at]);
             DoubleLanes a = -stay;
             if (i == j) a += layer.extinction[first + i] / d.mu[first + i];
             e[i * m + j] = e[j * m + i] = a - turn;
@@ -126,7 +125,7 @@ void set_operators(DoubleLanes* e, DoubleLanes* f, const LayerBlock& layer, cons
 DoubleLanes single_scattering(const PaintBlock& block, int order, int first, int i, int j) {
     DoubleLanes once{};
     for (const LayerBlock& layer : block.layers) {
-        once += __builtin_convertvector(layer.opposite(order)[triangle(i) + j], DoubleLanes) *
+        once += to_double(layer.opposite(order)[triangle(i) + j]) *
                 layer.single_factor[triangle(first + i) + first + j];
     }
     return once;

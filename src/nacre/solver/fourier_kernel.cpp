@@ -103,8 +103,6 @@ void transform_pair(const FlakeMedium& flake, double mu_i, double s_i, double mu
     }
 }
 
-FloatLanes narrow(const DoubleLanes& v) { return __builtin_convertvector(v, FloatLanes); }
-
 }  // namespace
 
 ActiveNodes::ActiveNodes(const Directions& d, double alpha, int orders) {
@@ -168,7 +166,7 @@ void FourierKernel::add_flakes(const FlakeMedium& flake, const Directions& d,
                                scratch, [&](int block, int l, const DoubleLanes& value) {
                                    const int first = active.first(l);
                                    kernel[block][offset(l) + triangle(i - first) + j - first] +=
-                                       narrow(value);
+                                       to_float(value);
                                });
             }
         }
@@ -249,8 +247,8 @@ void FourierKernel::add_legendre(const std::vector<T>& series, const DoubleLanes
                 for (int k = 0; k < terms; k += 2) even += series[l + k] * (a[k] * b[k]);
                 for (int k = 1; k < terms; k += 2) odd += series[l + k] * (a[k] * b[k]);
                 const std::size_t at = offset(l) + triangle(i) + j;
-                same_[block][at] += narrow((even + odd) * scattering);
-                opposite_[block][at] += narrow((even - odd) * scattering);
+                same_[block][at] += to_float((even + odd) * scattering);
+                opposite_[block][at] += to_float((even - odd) * scattering);
             }
         }
     });

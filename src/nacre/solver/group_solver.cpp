@@ -27,7 +27,7 @@ constexpr int kChunk = 4;
 // Orders after which few wavelengths are looked for that tell all others.
 constexpr int kFirstOrders = kChunk;
 // Blocks of these. More take longer to find than most paints take to be solved.
-constexpr int kMostBlocksOfFew = 2;
+constexpr int kMaxBlocksOfFew = 2;
 
 // Making a block takes the time of about so many of its orders.
 constexpr int kBlockWork = 10;
@@ -211,7 +211,7 @@ class GroupSolver {
     }
 
     int most_blocks_of_few() const {
-        return std::min(static_cast<int>(blocks_.size()) / 2, kMostBlocksOfFew);
+        return std::min(static_cast<int>(blocks_.size()) / 2, kMaxBlocksOfFew);
     }
 
     // Whether the spectra of what the paint is made of are so few that those of its orders may be.

@@ -5,6 +5,7 @@
 
 #include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/lane_math.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/solver/rough_interface.h"
 
@@ -23,9 +24,6 @@ DoubleLanes map_lanes(const DoubleLanes& x, F&& f) {
     return make_lanes<DoubleLanes>([&](int i) { return f(x[i]); });
 }
 
-// (1 - e^(-x))/x without cancellation.
-double escape(double x) { return x > 1e-12 ? -std::expm1(-x) / x : 1.0; }
-
 // Single scattering of one block whose wavelengths share the binder's index.
 DoubleLanes single_block(const PaintMedium& medium, int block, double ior, double theta_i,
                          double theta_o, double phi, const LayerFactor& factor) {
@@ -37,7 +35,8 @@ DoubleLanes single_block(const PaintMedium& medium, int block, double ior, doubl
         const DoubleLanes here = layer.thickness_um * (extinction(layer, mu_i, block) / mu_i +
                                                        extinction(layer, mu_o, block) / mu_o);
         const DoubleLanes once = backscattering(layer, mu_i, mu_o, phi, block) *
-                                 (layer.thickness_um / (mu_i * mu_o)) * map_lanes(here, escape) *
+                                 (layer.thickness_um / (mu_i * mu_o)) *
+                                 map_lanes(here, [](double x) { return mean_attenuation(x); }) *
                                  map_lanes(-depth, [](double x) { return std::exp(x); });
         sum += factor ? once * factor(l, block, here) : once;
         depth += here;

@@ -83,7 +83,7 @@ inline Estimates estimate(const bsdf::BoundBsdf& surface, Vec3f wi, int count,
             std::fill(values.begin(), values.end(), FloatLanes{});
             score(*sample, values);
             for (std::size_t q = 0; q < quantities; ++q) {
-                const auto v = __builtin_convertvector(values[q], DoubleLanes);
+                const DoubleLanes v = to_double(values[q]);
                 sums.sum[q] += v;
                 sums.squares[q] += v * v;
             }

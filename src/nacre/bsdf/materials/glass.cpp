@@ -28,8 +28,8 @@ class GlassSide {
     GlassSide(float index, const std::optional<MicrofacetDistribution>& facets)
         : index_(index), facets_(facets) {
         // Facets that do not refract are not there; the half vector of what goes straight on is 0 / 0.
-        constexpr float kLeastRefraction = 1e-4f;
-        if (std::abs(index - 1) < kLeastRefraction) facets_.reset();
+        constexpr float kMinRefraction = 1e-4f;
+        if (std::abs(index - 1) < kMinRefraction) facets_.reset();
     }
 
     /// Both for directions on either side.

@@ -370,9 +370,7 @@ FloatLanes BoundMicroflake::single(Vec3f inside_i, Vec3f inside_o, const Ray& i,
             if (layer.thick) {
                 escape = (1.0f - exp_lanes(-here)) / rate;
             } else {
-                // (1 - e^-x)/x stays finite for a layer without any extinction.
-                const FloatLanes safe = max_lanes(here, splat(1e-20f));
-                escape = layer.thickness_um * one_minus_exp_lanes(safe) / safe;
+                escape = layer.thickness_um * mean_attenuation(here);
             }
             sum += layer.buried ? kernel * exp_lanes(-depth) * escape : kernel * escape;
         }

@@ -19,8 +19,6 @@ int exit_azimuths(double ior) {
     return static_cast<int>(std::ceil(std::clamp(8 / std::sqrt(ior * ior - 1), 8.0, 48.0)));
 }
 
-FloatLanes to_float(const DoubleLanes& x) { return __builtin_convertvector(x, FloatLanes); }
-
 // The tangent of the least tilt, towards the azimuth of this cosine and sine, of a flake that mirrors
 // light from i into total reflection: beyond inside.z = least_z.
 //
@@ -128,11 +126,10 @@ FloatLanes HotSpotBlock::scattered_once(const Ray& i) const {
     for (std::size_t l = first_; l < medium_.layers.size(); ++l) {
         const solver::LayerMedium& layer = medium_.layers[l];
         const FloatLanes extinction = i.look_up(extinction_[l]);
-        const FloatLanes here = max_lanes(
-            extinction * static_cast<float>(layer.thickness_um) / i.inside.z, splat(1e-20f));
+        const FloatLanes here = extinction * static_cast<float>(layer.thickness_um) / i.inside.z;
         const DoubleLanes absorbed = solver::losses(layer, i.inside.z, block_, 1).absorption[0];
         const FloatLanes scattered = max_lanes(extinction - to_float(absorbed), FloatLanes{});
-        sum += exp_lanes(-depth) * one_minus_exp_lanes(here) / here * scattered *
+        sum += exp_lanes(-depth) * mean_attenuation(here) * scattered *
                (static_cast<float>(layer.thickness_um) / i.inside.z);
         depth += here;
     }
@@ -155,8 +152,7 @@ FloatLanes HotSpotBlock::single_gain(const Ray& i, const Ray& o, double phi,
         const FloatLanes here = depth_of(l);
         const FloatLanes once =
             to_float(solver::backscattering(layer, i.inside.z, o.inside.z, phi, block_, spread2)) *
-            exp_lanes(-depth) * one_minus_exp_lanes(here) / here *
-            static_cast<float>(layer.thickness_um);
+            exp_lanes(-depth) * mean_attenuation(here) * static_cast<float>(layer.thickness_um);
         plain += once;
         hot += once * both.mean(l, here);
         depth += here;
@@ -242,9 +238,8 @@ void HotSpotBlock::add_once(std::size_t layer, const Ray& i, const Ray& o, const
     }
     const float thickness_um = static_cast<float>(medium_.layers[layer].thickness_um);
     const FloatLanes here = thickness_um * rate(layer, i, o);
-    const FloatLanes safe = max_lanes(here, splat(1e-20f));
     const FloatLanes once =
-        per_um * exp_lanes(-depth) * thickness_um * one_minus_exp_lanes(safe) / safe * lost(o);
+        per_um * exp_lanes(-depth) * thickness_um * mean_attenuation(here) * lost(o);
     sum.again -= once;
     sum.gained += once * (pair(i, o).mean(layer, here) - 1.0f);
 }

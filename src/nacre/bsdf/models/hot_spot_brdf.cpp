@@ -47,10 +47,7 @@ std::vector<double> HotSpotBrdf::operator()(double theta_i, double theta_o, doub
         const std::vector<double> single = solver::single_scattering(
             paint_.medium, theta_i, theta_o, phi,
             [&](std::size_t layer, int block, const DoubleLanes& depth) {
-                return __builtin_convertvector(
-                    HotSpot::Pair(blocks_[block], i, o)
-                        .mean(layer, __builtin_convertvector(depth, FloatLanes)),
-                    DoubleLanes);
+                return to_double(HotSpot::Pair(blocks_[block], i, o).mean(layer, to_float(depth)));
             });
         for (std::size_t w = 0; w < f.size(); ++w) f[w] += single[w];
     }

@@ -195,10 +195,8 @@ void BoundMicroflake::bind_smooth_interface() {
         const Ray ray = bsdf::make_ray(direction_angle(row), 0.0, inverse_mean_ior_);
         const double cosine = ray.outside.z;
         const DoubleLanes transmittance =
-            1.0 - optics::dielectric_reflectance(
-                      splat(1.0), __builtin_convertvector(ior_, DoubleLanes), splat(cosine));
-        scaled_transmittance_.push_back(__builtin_convertvector(transmittance, FloatLanes) /
-                                        transmittance_scale(ray));
+            1.0 - optics::dielectric_reflectance(splat(1.0), to_double(ior_), splat(cosine));
+        scaled_transmittance_.push_back(to_float(transmittance) / transmittance_scale(ray));
     }
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "nacre/bsdf/models/bound_microflake.h"
+#include "nacre/core/lane_math.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/random.h"
 #include "nacre/optics/fresnel.h"
@@ -52,7 +53,7 @@ double single_scattering_fraction(const solver::PaintMedium& medium, double ior,
                 });
         }
         fraction += t * t * scattering / mu * std::exp(-depth) * layer.thickness_um *
-                    (here > 1e-9 ? -std::expm1(-here) / here : 1.0);
+                    mean_attenuation(here);
         depth += here;
     }
     return fraction;

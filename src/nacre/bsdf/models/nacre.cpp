@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "nacre/bsdf/models/rough_hot_spot.h"
+#include "nacre/core/lane_math.h"
 #include "nacre/core/random.h"
 #include "nacre/paint/expansion.h"
 
@@ -36,7 +37,7 @@ sparkle::FlakePopulation population_of(const paint::FlakeSpecies& species,
 // waviness or a rough coat widens it lights a part, and one direction would tell as little of it as the
 // toss of a coin: as many are asked as the lobe is larger in area, up to a bound.
 int asked_directions(const sparkle::FlakeField& field) {
-    constexpr float kMax = NacreSpecies::kMostDirections;
+    constexpr float kMax = NacreSpecies::kMaxDirections;
     const sparkle::DiffractionLobe& lobe = field.lobe();
     const auto radius = static_cast<float>(lobe.radius(field.population().diameter_um));
     const float wider = lobe.spread_radius2(lobe.spread2(lobe.coat().spread2(1.0f, 1.0f)));
@@ -60,8 +61,7 @@ std::vector<float> flake_fractions(const Microflake::Tables& tables) {
         std::vector<double> seen(count);  // thickness weighted by the attenuation both ways, um
         for (int w = 0; w < count; ++w) {
             const double here = 2 * tables.extinction[l][w] * layer.thickness_um;
-            seen[w] = layer.thickness_um * std::exp(-depth[w]) *
-                      (here > 1e-9 ? -std::expm1(-here) / here : 1.0);
+            seen[w] = layer.thickness_um * std::exp(-depth[w]) * mean_attenuation(here);
             depth[w] += here;
         }
         for (const solver::FlakeMedium& flake : layer.flakes) {

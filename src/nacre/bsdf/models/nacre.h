@@ -76,7 +76,7 @@ class Nacre final : public Bsdf, public SingleFlakes {
 
 /// One kind of flakes in one layer.
 struct NacreSpecies {
-    static constexpr int kMostDirections = 8;
+    static constexpr int kMaxDirections = 8;
     sparkle::FlakeField field;
     std::shared_ptr<const FlakeFilms> films;  ///< null: all alike
     float fraction;  ///< flake_fractions(): the probability with which its flakes are sampled

@@ -14,7 +14,7 @@ namespace nacre::bsdf {
 namespace {
 
 // Of what a flake is guessed to send, at the least: weights stay bounded where the guess is wrong.
-constexpr float kLeastSeen = 0.05f;
+constexpr float kMinSeen = 0.05f;
 
 using sparkle::FlakeView;
 
@@ -25,7 +25,7 @@ constexpr IntLanes kNumbers = {0, 1, 2, 3, 4, 5, 6, 7};
 // little.
 class AskedDirections {
  public:
-    static constexpr int kMost = 4 * NacreSpecies::kMostDirections;
+    static constexpr int kMax = 4 * NacreSpecies::kMaxDirections;
 
     /// @param directions  of a flake of the mean weight, weighted by itself
     AskedDirections(const FlakeView& view, int directions)
@@ -69,7 +69,7 @@ class AskingOrder {
     /// @param random  by which flakes that weigh least are asked or not
     AskingOrder(const FlakeView& view, const AskedDirections& directions, std::uint64_t random) {
         std::array<std::uint8_t, FlakeView::kMax + kLanes> directions_of;
-        std::array<int, AskedDirections::kMost + 1> flakes_with{}, place{};
+        std::array<int, AskedDirections::kMax + 1> flakes_with{}, place{};
         for (int first = 0; first < view.count; first += kLanes) {
             const FloatLanes number = directions.of(load_lanes(&view.weight[first]));
             const FloatLanes lot = sparkle::unit_fraction(bits_of_flakes(random, kNumbers + first));
@@ -80,7 +80,7 @@ class AskingOrder {
                 ++flakes_with[here[lane]];
             }
         }
-        for (int n = AskedDirections::kMost; n > 0; --n) {
+        for (int n = AskedDirections::kMax; n > 0; --n) {
             place[n] = count_;
             count_ += flakes_with[n];
         }
@@ -163,7 +163,7 @@ BoundNacre::SeenFlakes BoundNacre::seen_flakes(std::size_t species) const {
                 light += weight * there.flakes * lane_sum(eye_ * there.light);
                 flakes += weight * there.flakes;
             }
-            relative[b] = flakes > 0 ? std::max(light / (flakes * covered_light), kLeastSeen)
+            relative[b] = flakes > 0 ? std::max(light / (flakes * covered_light), kMinSeen)
                                      : relative[before];
         };
         constexpr int kLast = SeenFlakes::kIntervals;

@@ -55,7 +55,7 @@ TEST(Nacre, MeanOverPatchesIsTheMicroflakeModel) {
                                                direction(pairs[p].theta_o, pairs[p].phi + turn))
                                  .f;
                     }
-                    const DoubleLanes d = __builtin_convertvector(f * (1.0f / kTurns), DoubleLanes);
+                    const DoubleLanes d = to_double(f * (1.0f / kTurns));
                     sum[p] += d;
                     squares[p] += d * d;
                 }
@@ -91,8 +91,7 @@ TEST(Nacre, MeanOverPatchesHoldsForABinderThatDisperses) {
         Patch patch = random_square_patch(rng, 0.1);
         memory.forget();
         patch.memory = &memory;
-        const DoubleLanes f =
-            __builtin_convertvector(model.bound->evaluate_on(patch, wi, wo).f, DoubleLanes);
+        const DoubleLanes f = to_double(model.bound->evaluate_on(patch, wi, wo).f);
         sum += f;
         squares += f * f;
     }
@@ -247,7 +246,7 @@ std::array<test::Sample, kLanes> variance(const Factor& x, const SparklingModel&
         patch.memory = &memory;
         DoubleLanes squares{};
         for (int t = 0; t < kTurns; ++t) {
-            const DoubleLanes d = __builtin_convertvector(x(patch, t) - 1.0f, DoubleLanes);
+            const DoubleLanes d = to_double(x(patch, t) - 1.0f);
             squares += d * d;
         }
         for (int lane = 0; lane < kLanes; ++lane) found[lane].add(squares[lane] / kTurns);

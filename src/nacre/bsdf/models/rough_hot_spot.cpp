@@ -116,8 +116,7 @@ class Azimuths {
         for (int m = 0; m < count_ / 2; m += 2) {
             const double *c = &cosine_[static_cast<std::size_t>(m) * stride_], *d = c + stride_;
             const auto at = [&](int azimuth) {
-                return part_of_turn *
-                       __builtin_convertvector(factor[azimuth * blocks], DoubleLanes);
+                return part_of_turn * to_double(factor[azimuth * blocks]);
             };
             const DoubleLanes c1 = at(m), c2 = at(count_ - 1 - m), d1 = at(m + 1),
                               d2 = at(count_ - 2 - m);

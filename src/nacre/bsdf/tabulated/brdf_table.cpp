@@ -7,6 +7,7 @@
 #include "nacre/bsdf/paint_interface.h"
 #include "nacre/bsdf/tabulated/table_pairs.h"
 #include "nacre/core/error.h"
+#include "nacre/core/lane_math.h"
 #include "nacre/core/parallel.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/solver/directions.h"
@@ -213,7 +214,7 @@ void BrdfTableRows::add_single(const Group& group, double scale, Workspace& work
                                       group.extinction[n][o * blocks + block] / mu_o);
             const DoubleLanes reach = make_lanes<DoubleLanes>([&](int lane) {
                 const double x = here[lane];
-                return std::exp(-depth[lane]) * (x > 1e-12 ? -std::expm1(-x) / x : 1.0);
+                return std::exp(-depth[lane]) * mean_attenuation(x);
             });
             const DoubleLanes factor = scale * layer.thickness_um / (mu_i * mu_o) * reach;
             std::array<DoubleLanes, 3> weight;
