@@ -25,17 +25,14 @@ std::string keyword(std::string_view flag) {
     return name;
 }
 
-/// The largest specimen, as of a scene: up to here a double is every whole number.
-constexpr std::uint64_t kMaxSpecimen = std::uint64_t{1} << 53;
-
-/// Which panel of the batch: what a scene may say. @throws SettingError
+/// Which panel of the batch. @throws SettingError
 std::uint64_t specimen_of(const std::string& text) {
     std::uint64_t number = 0;
     const char* const end = text.data() + text.size();
     const auto [last, error] = std::from_chars(text.data(), end, number);
-    if (error != std::errc() || last != end || number > kMaxSpecimen) {
+    if (error != std::errc() || last != end || number > bsdf::kMaxSpecimen) {
         throw SettingError("specimen",
-                           fmt::format("must be a whole number in [0, {}]", kMaxSpecimen),
+                           fmt::format("must be a whole number in [0, {}]", bsdf::kMaxSpecimen),
                            text.empty() ? "\"\"" : text);
     }
     return number;

@@ -202,18 +202,8 @@ std::vector<Parameter> parameters(const PaintHandle& handle) {
     return all;
 }
 
-/// Of the one number that a key, or the end of one, means. @throws DomainError as Paint::with()
-std::string whole_key(const PaintHandle& handle, const std::string& key) {
-    const std::vector<std::string> keys = paint::matching_parameters(handle.paint.recipe(), key);
-    if (keys.size() != 1) {
-        throw SettingError(key, "means " + std::to_string(keys.size()) + " numbers, such as " +
-                                    keys[0] + "; must mean one");
-    }
-    return keys[0];
-}
-
 double value_of(const PaintHandle& handle, const std::string& key) {
-    return paint::find_parameter(handle.paint.recipe(), whole_key(handle, key)).value;
+    return paint::find_parameter(handle.paint.recipe(), handle.paint.whole_key(key)).value;
 }
 
 nb::dict solve(const PaintHandle& handle, const OptionalDoubles& wavelengths_nm, int exit_nodes,
@@ -379,7 +369,10 @@ void bind_paint(nb::module_& module) {
                                          p.paint.correlations());
              })
         .def("parameters", &parameters)
-        .def("whole_key", &whole_key, "key"_a)
+        .def(
+            "whole_key",
+            [](const PaintHandle& p, const std::string& key) { return p.paint.whole_key(key); },
+            "key"_a)
         .def("value", &value_of, "key"_a)
         .def(
             "with_value",

@@ -320,9 +320,14 @@ class Paint {
     const std::vector<paint::ParameterDeviation>& deviations() const;
     /// Its tables [[uncertainty.correlation]].
     const std::vector<paint::ParameterCorrelation>& correlations() const;
+    /// The key of the one number that a key, or the end of one, means: "coats[0].thickness_nm".
+    /// @param key  as paint::matching_parameters()
+    /// @throws InputError as recipe(); DomainError if there is no such number; SettingError named as the
+    ///         key if it means several
+    std::string whole_key(std::string_view key) const;
     /// The same paint with one number changed, to be solved anew.
-    /// @param key  as paint::matching_parameters(), meaning one number: "coats[0].thickness_nm"
-    /// @throws InputError as recipe(); DomainError naming key, value and range
+    /// @param key  as whole_key()
+    /// @throws InputError, SettingError as whole_key(); DomainError naming key, value and range
     Paint with(std::string_view key, double value) const;
     /// The same with any values of the recipe changed, numbers and texts, as a user writes them:
     /// {{"coats[0].material", "SiO2"}, {"alpha", "0.2"}}. Keys and values: io::with_settings().

@@ -48,7 +48,7 @@ class Flake:
 
 
 def added_radius2(spread2: Float) -> Float:
-    """DiffractionLobe::coat_radius2()."""
+    """DiffractionLobe::spread_radius2()."""
     return 18 / 5 * spread2
 
 

@@ -38,7 +38,7 @@ def _paint_of(props: Any) -> Paint:
     if "toml" in props:
         return Paint.from_toml(str(props["toml"]))
     if "recipe" not in props:
-        raise SettingError("recipe: is missing; it names the paint's file")
+        raise SettingError("recipe: is missing; it names the paint's file", setting="recipe")
     name = str(props["recipe"])
     found = Path(str(mi.file_resolver().resolve(name)))
     return Paint(found if found.exists() else Path(name))
@@ -73,7 +73,10 @@ class Camera:
         """footprint: sides of a sample's patch in pixels; 0: of its share of the pixel."""
         params = mi.traverse(sensor)
         if "x_fov" not in params:
-            raise SettingError("sensor: must be perspective or thinlens, to know what a pixel sees")
+            raise SettingError(
+                "sensor: must be perspective or thinlens, to know what a pixel sees",
+                setting="sensor",
+            )
         to_world = params["to_world"].matrix
         width = int(sensor.film().size()[0])
 
@@ -137,7 +140,9 @@ def make_plugin() -> Any:
             self.paint = _paint_of(props)
             name = str(props.get("model", MODELS[0]))
             if name not in MODELS:
-                raise SettingError(f"model = {name}: must be {' or '.join(MODELS)}")
+                raise SettingError(
+                    f"model = {name}: must be {' or '.join(MODELS)}", setting="model"
+                )
             if name == "nacre":
                 self.model = Model(
                     name,
@@ -148,10 +153,15 @@ def make_plugin() -> Any:
                 self.model = Model(name)
             self.footprint = float(props.get("footprint", 0.0))
             if not 0 <= self.footprint <= 1e4:
-                raise SettingError(f"footprint = {self.footprint}: must be in [0, 1e4] pixels")
+                raise SettingError(
+                    f"footprint = {self.footprint}: must be in [0, 1e4] pixels",
+                    setting="footprint",
+                )
             self.unit_mm = float(props.get("unit_mm", 1.0))
             if not 1e-6 <= self.unit_mm <= 1e6:
-                raise SettingError(f"unit_mm = {self.unit_mm}: must be in [1e-6, 1e6]")
+                raise SettingError(
+                    f"unit_mm = {self.unit_mm}: must be in [1e-6, 1e6]", setting="unit_mm"
+                )
             self.own_rest = "to_rest" in props
             self.to_rest = props.get("to_rest", mi.ScalarTransform4f())
             if not hasattr(self.to_rest, "matrix"):
@@ -160,7 +170,7 @@ def make_plugin() -> Any:
                 )
             self.bands = _whole(props, "bands", DEFAULT_BANDS)
             if not 1 <= self.bands <= 256:
-                raise SettingError(f"bands = {self.bands}: must be in [1, 256]")
+                raise SettingError(f"bands = {self.bands}: must be in [1, 256]", setting="bands")
             self.camera: Camera | None = None
             self.last_asked: tuple[tuple[int, ...] | None, Any] = None, None
             keys = [k.strip() for k in str(props.get("differentiate", "")).split(",")]

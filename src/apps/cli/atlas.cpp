@@ -110,17 +110,19 @@ datasheet::Atlas atlas_of_flake(const AtlasOptions& options, const Progress& pro
 }
 
 datasheet::Atlas atlas_of_recipe(const AtlasOptions& options, const Progress& progress) {
-    const paint::Recipe recipe = open_paint(options, options.recipe).recipe();
-    const std::vector<std::string> keys = paint::matching_parameters(recipe, options.key);
-    if (keys.size() != 1) {
-        throw UsageError(fmt::format("--key = {}: means {} numbers, such as {}; must mean one",
-                                     options.key, keys.size(), keys[0]));
-    }
+    const Paint paint = open_paint(options, options.recipe);
+    const std::string key = [&] {
+        try {
+            return paint.whole_key(options.key);
+        } catch (const SettingError& error) {
+            throw UsageError(fmt::format("--key = {}: {}", options.key, error.reason()));
+        }
+    }();
     const std::vector<double> values = parse_numbers("--values", options.values, Range{});
     const std::vector<measure::Geometry> geometries = parse_angles(options);
     const measure::Conditions conditions = parse_conditions(options.instrument);
     try {
-        return datasheet::recipe_atlas(recipe, keys[0], values, geometries,
+        return datasheet::recipe_atlas(paint.recipe(), key, values, geometries,
                                        spectra::default_wavelengths_nm(), conditions, progress);
     } catch (const DomainError& error) {
         throw InputError(options.recipe + ": " + error.what());

@@ -234,11 +234,20 @@ TEST_F(Program, ExportRefusesWhatDoesNotFitItsFormat) {
 TEST_F(Program, MeasuredBrdfsHaveNoFlakes) {
     ASSERT_EQ(nacre(std::string("export gray.toml -q -o gray.bsdf") + kSmall).status, 0);
     const std::string render = "render sphere --brdf gray.bsdf --spp 1 --size 8x8 -q -o a.exr ";
-    for (const std::string option : {"--sparkle", "--footprint 2", "--specimen 3"}) {
+    for (const auto& [option, said] : {std::pair{"--sparkle", "--sparkle"},
+                                       {"--footprint 2", "--footprint"},
+                                       {"--specimen 3", "--specimen = 3"},
+                                       {"--no-hot-spot", "--no-hot-spot"}}) {
         const Outcome outcome = nacre(render + option);
         EXPECT_EQ(outcome.status, 1) << option;
-        EXPECT_THAT(outcome.err, HasSubstr(option.substr(0, option.find(' ')) + ": every"));
+        EXPECT_THAT(outcome.err, HasSubstr(std::string(said) + ": every"));
         EXPECT_FALSE(exists("a.exr")) << option;
+    }
+    for (const std::string command : {"measure gray.bsdf --no-hot-spot",
+                                      "eval gray.bsdf --incident 45 --outgoing 0 --no-hot-spot"}) {
+        const Outcome outcome = nacre(command);
+        EXPECT_EQ(outcome.status, 1) << command;
+        EXPECT_THAT(outcome.err, HasSubstr("--no-hot-spot: gray.bsdf holds a measured BRDF"));
     }
     const Outcome sparkle = nacre("sparkle gray.bsdf");
     EXPECT_EQ(sparkle.status, 2);

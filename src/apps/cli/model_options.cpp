@@ -19,9 +19,6 @@ using bsdf::Model;
 using bsdf::ModelInfo;
 using bsdf::ModelOption;
 
-/// As a scene allows: whole numbers up to 2^53.
-constexpr std::uint64_t kMaxSpecimen = std::uint64_t{1} << 53;
-
 /// An option and the model that has it.
 struct Owned {
     const ModelInfo* model;
@@ -136,7 +133,7 @@ void add_model_options(CLI::App& command, ModelOptions& options) {
                                 "are; in pictures also which waves an orange peel has, and where a "
                                 "tinted coat is thicker; 0: the scene's, or the first",
                                 fmt::join(sparkling_models(), ", ")))
-        ->check(in_range(std::uint64_t{0}, kMaxSpecimen))
+        ->check(in_range(std::uint64_t{0}, bsdf::kMaxSpecimen))
         ->capture_default_str();
     const std::vector<CLI::Option*> all = command.get_options();
     for (std::size_t i = before; i < all.size(); ++i) all[i]->group("Of single models");

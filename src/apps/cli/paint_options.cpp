@@ -129,14 +129,14 @@ std::optional<bsdf::Model> model_for(std::initializer_list<const Paint*> paints,
     }
     const auto measured = std::find_if(paints.begin(), paints.end(), is_measured_brdf);
     if (measured != paints.end()) {
-        if (options.model_given) {
-            refuse_choice("--model = " + options.model, (*measured)->file());
-        }
-        if (parse_model_settings(options).makes_table()) {
+        if (!options.model_given && parse_model_settings(options).makes_table()) {
             throw InputError(
                 fmt::format("{}: holds a measured BRDF, which is shown as it was measured: it "
                             "takes neither --model nor {}",
                             (*measured)->file(), fmt::join(solution_flags(), " nor ")));
+        }
+        if (const auto choice = choice_of_any(options)) {
+            refuse_choice(*choice, (*measured)->file());
         }
     } else if (const auto choice = choice_of_any(options)) {
         throw UsageError(

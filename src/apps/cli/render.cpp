@@ -93,17 +93,16 @@ Scene scene_of(const RenderCommandOptions& options, Painted painted) {
 void check_model(const RenderCommandOptions& options, const Scene& scene) {
     if (scene.paints().empty() || scene.shows_model()) return;
     const std::string all = "every material of the scene " + options.scene;
-    if (options.model.model_given) refuse_choice("--model = " + options.model.model, all);
     if (options.render.sparkle) refuse_choice("--sparkle", all);
     if (options.render.footprint_pixels != 0) refuse_choice("--footprint", all);
-    if (options.model.specimen != 0) refuse_choice("--specimen", all);
     const bsdf::Model model = parse_model_settings(options.model);
-    if (model.makes_table()) {
+    if (!options.model.model_given && model.makes_table()) {
         throw UsageError(
             fmt::format("{}: every material of the scene {} holds a measured BRDF; "
                         "tables are made of recipes",
                         choice_of_table(model), options.scene));
     }
+    if (const auto choice = choice_of_any(options.model)) refuse_choice(*choice, all);
 }
 
 /// "out.exr" of frame 7: "out.0007.exr".

@@ -135,6 +135,9 @@ struct PaintedShape {
 template <class M>
 concept ModelSettings = std::same_as<decltype((M::info)), const ModelInfo&>;
 
+/// The last whole number up to which a double holds all.
+inline constexpr std::uint64_t kMaxSpecimen = std::uint64_t{1} << 53;
+
 /// A model and what was chosen about it: any of the settings types, as a value.
 class Model {
  public:
@@ -161,7 +164,8 @@ class Model {
     /// @throws Error if `progress` asks to stop
     std::shared_ptr<const Bsdf> make(const ModelInput& input, const Progress& progress = {}) const;
 
-    /// Which panel of the batch is seen; nothing to a model for which all panels look alike.
+    /// Which panel of the batch is seen, at most kMaxSpecimen; nothing to a model for which all panels
+    /// look alike.
     void set_specimen(std::uint64_t specimen);
     /// Empty for a model for which all panels look alike.
     std::optional<std::uint64_t> specimen() const;

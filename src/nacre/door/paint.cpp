@@ -313,15 +313,17 @@ io::RecipeText Paint::recipe_text(const References& there) const {
     return io::recipe_text(state_->recipe_file(), there);
 }
 
+std::string Paint::whole_key(std::string_view key) const {
+    const std::vector<std::string> keys =
+        paint::matching_parameters(state_->recipe_file().recipe, key);
+    if (keys.size() == 1) return keys[0];
+    throw SettingError(std::string(key), fmt::format("means {} numbers, such as {}; must mean one",
+                                                     keys.size(), keys[0]));
+}
+
 Paint Paint::with(std::string_view key, double value) const {
     io::RecipeFile changed = state_->recipe_file();
-    const std::vector<std::string> keys = paint::matching_parameters(changed.recipe, key);
-    if (keys.size() != 1) {
-        throw SettingError(
-            std::string(key),
-            fmt::format("means {} numbers, such as {}; must mean one", keys.size(), keys[0]));
-    }
-    paint::set_parameter(changed.recipe, keys[0], value);
+    paint::set_parameter(changed.recipe, whole_key(key), value);
     paint::validate(changed.recipe, {});
     return Paint(std::make_shared<const State>(std::move(changed), state_->file));
 }

@@ -5,6 +5,7 @@
 #include <climits>
 #include <fstream>
 #include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -20,10 +21,25 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// A scene names recipes, and they name materials; it names meshes, and they name buffers.
-constexpr int kMaxDepth = 2;
+/// A scene names recipes, and they name materials; it names meshes, they name materials, and these
+/// pictures.
+constexpr int kMaxDepth = 3;
 /// The most JSON of a glTF that is looked through, as render/mesh_file.cpp reads it.
 constexpr std::size_t kMaxGltfBytes = std::size_t{1} << 28;
+
+/// Reads a line, as an empty one if it is longer than a path with a few options before it.
+/// @return whether there was one
+bool next_line(std::istream& in, std::string& line) {
+    std::array<char, 2 * PATH_MAX> text;
+    in.getline(text.data(), text.size());
+    const bool cut = in.fail() && in.gcount() + 1 == static_cast<std::streamsize>(text.size());
+    if (cut) {
+        in.clear();
+        in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+    }
+    line = cut ? "" : text.data();
+    return cut || !in.fail();
+}
 
 /// The paths of files in texts.
 class NamedFiles {
@@ -80,7 +96,7 @@ class NamedFiles {
         const bool is_obj = lowercase(file.extension().string()) == ".obj";
         std::ifstream in(file);
         std::string line;
-        for (int i = 0; i < kMaxLines && std::getline(in, line); ++i) {
+        for (int i = 0; i < kMaxLines && next_line(in, line); ++i) {
             // KEY [OPTIONS] NAME; names may have spaces.
             const std::string_view text = trimmed(line);
             if (text.starts_with("newmtl ") || (is_obj && !text.starts_with("mtllib "))) continue;

@@ -96,6 +96,19 @@ TEST_F(NamedFiles, AnObjNamesItsMaterialsAndTheirPictures) {
     write("body", "any");
     EXPECT_THAT(named_by("ball.obj"),
                 UnorderedElementsAre(folder_ / "ball one.mtl", folder_ / "wood.png"));
+    write("scene.toml", "[[shapes]]\npath = \"ball.obj\"\n");
+    EXPECT_THAT(
+        named_by("scene.toml"),
+        UnorderedElementsAre(folder_ / "ball.obj", folder_ / "ball one.mtl", folder_ / "wood.png"));
+}
+
+TEST_F(NamedFiles, LinesLongerThanAPathAreNotLookedThrough) {
+    std::string names;
+    for (int i = 0; i < 1'000'000; ++i) names += " a";
+    write("ball.obj", "mtllib" + names + "\nmtllib ball.mtl\n");
+    write("ball.mtl", "newmtl a\n");
+    write("a", "any");
+    EXPECT_THAT(named_by("ball.obj"), UnorderedElementsAre(folder_ / "ball.mtl"));
 }
 
 }  // namespace

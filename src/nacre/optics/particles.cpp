@@ -72,12 +72,10 @@ AtWavelength at_wavelength(const Spheres& spheres, double volume_fraction, doubl
                            ComplexIndex index, double wavelength_nm) {
     const double wave_number = 2 * std::numbers::pi * binder_index / wavelength_nm;  // 1/nm
     const Sizes sizes = make_sizes(spheres, wave_number, index.real() / binder_index);
-    std::vector<MieSeries> series;
-    int terms = 0;
-    for (const double diameter : sizes.diameter_nm) {
-        series.emplace_back(wave_number * diameter / 2, index / binder_index);
-        terms = std::max(terms, series.back().terms());
-    }
+    const auto series_of = [&](double diameter_nm) {
+        return MieSeries(wave_number * diameter_nm / 2, index / binder_index);
+    };
+    const int terms = series_of(sizes.diameter_nm.back()).terms();  // of the largest: the most
     const bool crowded = spheres.crowding == Crowding::hard_spheres;
     // The intensity is a polynomial of degree 2 terms; the structure factor, of q^2 and so of the
     // cosine, swings about as often.
@@ -89,16 +87,17 @@ AtWavelength at_wavelength(const Spheres& spheres, double volume_fraction, doubl
         q.push_back(2 * wave_number * std::sqrt(std::max(0.0, (1 - mu) / 2)));
     }
     double absorption = 0;
-    for (std::size_t i = 0; i < series.size(); ++i) {
+    for (std::size_t i = 0; i < sizes.diameter_nm.size(); ++i) {
         const double d = sizes.diameter_nm[i];
+        const MieSeries series = series_of(d);
         const double number =
             volume_fraction * sizes.fraction[i] * 6 / (std::numbers::pi * d * d * d);
         // Differences of the two sums may leave rounding of a sphere that does not absorb.
         if (index.imag() > 0) {
             absorption += number * std::numbers::pi * d * d / 4 *
-                          std::max(0.0, series[i].efficiencies().absorption());
+                          std::max(0.0, series.efficiencies().absorption());
         }
-        const std::vector<double> intensity = series[i].intensities(rule.nodes);
+        const std::vector<double> intensity = series.intensities(rule.nodes);
         for (int k = 0; k < nodes; ++k) {
             const double neighbours = crowded ? percus_yevick(q[k] * d, volume_fraction) : 1;
             turned[k] += number * intensity[k] * neighbours / (wave_number * wave_number);

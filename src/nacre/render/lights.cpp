@@ -90,8 +90,8 @@ LightSet::LightSet(const std::vector<Light>& lights, const std::optional<Environ
             alone_.environment.emplace(compiled.table_columns, compiled.table_rows, luminance);
         const float mean = all.mean_brightness();
         add(Kind::environment, 0, std::numbers::pi * mean);
-        constexpr float kMin = 1e-3f;
-        least_brightness_ = mean > 0 ? kMin * mean : 1.0f;
+        constexpr float kMinOverMean = 1e-3f;
+        least_brightness_ = mean > 0 ? kMinOverMean * mean : 1.0f;
         colours_ = colours_of(*environment_);
         const DirectionTable& peaks = beside_.environment.emplace(
             compiled.table_columns, compiled.table_rows,

@@ -27,7 +27,7 @@ void describe(Visitor& visit, SceneDescription& scene) {
     visit({.key = "name", .max_size = kMaxNameLength}, scene.name);
     visit(
         {.key = "specimen",
-         .range = {0, kMaxSpecimen},
+         .range = {0, static_cast<double>(bsdf::kMaxSpecimen)},
          .meaning = "which panel of the batch is seen: models that show single flakes or waves of "
                     "a coat show those of this one, whatever the seed; 0: that of `--specimen`",
          .also = "a whole number"},

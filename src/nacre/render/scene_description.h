@@ -9,8 +9,6 @@
 
 namespace nacre::render {
 
-/// The last up to which a double holds every whole number.
-inline constexpr double kMaxSpecimen = 9007199254740992;
 inline constexpr std::size_t kMaxShapes = 10'000;
 inline constexpr std::size_t kMaxPathLength = 2'000;
 /// 10 km, beyond which float coordinates are coarser than 1 mm.

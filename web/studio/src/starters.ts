@@ -65,8 +65,16 @@ const SINGLE: Readonly<Record<string, Value>> = {
     alpha_bottom: 0.1,
 };
 
-/** A value for a key that a table lacks. */
-export function starter(schema: Schema, table: Path, info: KeyInfo): Value {
+/** A value for a key that a table lacks, which the other keys of the table allow. */
+export function fittingStarter(schema: Schema, table: Path, info: KeyInfo, now: Table): Value {
+    const value = starter(schema, table, info);
+    const mean = info.spread_of === undefined ? undefined : now[info.spread_of];
+    if (typeof value !== "number" || typeof mean !== "number") return value;
+    return Math.min(value, Number((mean / 4).toPrecision(2)));
+}
+
+/** The same of a table that has no keys yet. */
+function starter(schema: Schema, table: Path, info: KeyInfo): Value {
     const generic = [...table, info.key]
         .map((step) => (typeof step === "number" ? "[]" : `.${step}`))
         .join("")

@@ -20,6 +20,8 @@ import type { Table } from "./tree";
 import { Viewer } from "./viewer";
 
 const EMPTY: Document = { recipe: {}, locks: new Set() };
+/** The text of paints that have none of their own. */
+const WITHOUT_COMMENTS = "ior = 1.5\n[[layer]]\nthickness_um = 1\n";
 const LINK_AFTER_MS = 400;
 const NO_SERVER = "There is no server to fit it; begin again when it answers.";
 
@@ -143,7 +145,8 @@ export class Studio {
             return;
         }
         this.begun = true;
-        if (!(await this.openLink(this.around.fragment()))) this.openFirst();
+        if (this.toOpen !== null) this.openText(this.toOpen);
+        else if (!(await this.openLink(this.around.fragment()))) this.openFirst();
     }
 
     private disconnected(): void {
@@ -300,6 +303,7 @@ export class Studio {
         try {
             const document = await fromFragment(fragment);
             if (document === null) return false;
+            this.toOpen = null;
             this.load(document);
             return true;
         } catch (error) {
@@ -370,9 +374,10 @@ export class Studio {
             shader: document !== null && this.viewer.wantsShader,
             lamp,
         };
-        // Undo may have gone back to a paint of another text, whose comments are to be kept.
-        const text = document?.toml;
-        if (text !== undefined && text !== this.openedText) {
+        // Undo may have gone back to a paint of another text, whose comments are to be kept. One of a
+        // link has no text: it must not take those of the text before it.
+        const text = document === null ? this.openedText : (document.toml ?? WITHOUT_COMMENTS);
+        if (text !== null && text !== this.openedText) {
             this.openedText = text;
             const id = this.session.send("open", { toml: text }, () => {
                 this.session.forget(id);

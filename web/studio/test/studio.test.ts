@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { setValue } from "../src/edit";
+import { toFragment } from "../src/link";
 import { Studio } from "../src/studio";
 import type { Table } from "../src/tree";
 import { get, parsePath } from "../src/tree";
@@ -310,4 +311,31 @@ test("undo across another paint tells the server whose comments to keep, and dro
     assert.deepEqual(studio.store.get().fitSetup, { said: new Map(), starts: 9 });
     studio.undo();
     assert.equal(server.received("open").at(-1)?.toml, first);
+});
+
+test("a link that is opened while the server is gone is not replaced by what was dropped before", async () => {
+    const server = new FakeServer();
+    const { studio } = await studioWith(server);
+    server.answerOpen(PAINT);
+    const link = await toFragment({ recipe: { ...PAINT, name: "Linked" }, locks: new Set() });
+    server.drop();
+    studio.openText("dropped");
+    await studio.openLink(link);
+    await server.reconnected;
+    server.open();
+    await settle();
+    assert.ok(server.received("open").every(({ toml }) => toml !== "dropped"));
+    assert.equal(studio.store.get().document.recipe.name, "Linked");
+});
+
+test("a paint of a link has not the comments of the text before it", async () => {
+    const server = new FakeServer();
+    const { studio } = await studioWith(server);
+    server.answerOpen(PAINT);
+    server.answerPaint();
+    const count = server.received("open").length;
+    await studio.openLink(await toFragment({ recipe: PAINT, locks: new Set() }));
+    const told = server.received("open").slice(count);
+    assert.equal(told.length, 1);
+    assert.doesNotMatch(String(told[0]?.toml), /#/);
 });

@@ -109,9 +109,10 @@ std::string mesh_sha256(const render::Mesh& mesh) {
     return sum.hex();
 }
 
-/// Of a mesh file and those that it names.
+/// Of a mesh file and, of a glTF, those that it names. The materials of an OBJ are not read.
 std::string mesh_sha256(const fs::path& mesh, const References& references) {
     std::string all = sha256_hex(read_file(mesh, render::kMaxMeshBytes));
+    if (lowercase(mesh.extension().string()) == ".obj") return sha256_hex(all);
     for (const fs::path& named : io::files_named_by(mesh, references.beside(mesh))) {
         all += sha256_hex(read_file(named, render::kMaxMeshBytes));
     }

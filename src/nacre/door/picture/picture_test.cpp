@@ -148,6 +148,12 @@ TEST(Picture, ASharesSceneHasItsFilesContents) {
     EXPECT_NE(sha256("a.obj", 1), sha256("c.obj", 1));
     EXPECT_NE(sha256("a.obj", 1), sha256("a.obj", 0.5f));
     EXPECT_NE(sha256("a.obj", 1), sha256("a.obj", 1, 0.25f));
+    // Materials of an OBJ are not read.
+    folder.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 20 0 0\nv 0 10 0\nf 1 2 3\n");
+    folder.write("m.mtl", "newmtl a\n");
+    const std::string before = sha256("m.obj", 1);
+    folder.write("m.mtl", "newmtl b\n");
+    EXPECT_EQ(sha256("m.obj", 1), before);
 }
 
 TEST(Picture, SaysWhatDoesNotFit) {

@@ -15,7 +15,7 @@ import {
     singular,
     tableInfo,
 } from "../schema";
-import { newEntry, starter, switched, TILTS } from "../starters";
+import { fittingStarter, newEntry, switched, TILTS } from "../starters";
 import type { Path, Table, Value } from "../tree";
 import { get, isList, isTable, pathText } from "../tree";
 import { useStudio, useStudioState, useValueAt } from "../ui/context";
@@ -170,8 +170,11 @@ function MoreOf(props: {
                 const key = info.keys.find((k) => k.key === one);
                 if (key === undefined) return document;
                 const other = isTable(now) ? brought(now, info, key) : undefined;
-                if (other === undefined || !isTable(now))
-                    return setValue(document, [...path, key.key], starter(schema, path, key));
+                if (other === undefined || !isTable(now)) {
+                    const table = isTable(now) ? now : {};
+                    const value = fittingStarter(schema, path, key, table);
+                    return setValue(document, [...path, key.key], value);
+                }
                 const more = switched(schema, path, now, other.group, other.to);
                 return setValue(document, path, more);
             }
