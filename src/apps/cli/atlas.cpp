@@ -22,8 +22,6 @@ namespace nacre::cli {
 
 namespace {
 
-constexpr double kPngScale = 2;
-
 struct AtlasOptions : CommonOptions {
     std::string film, core;
     std::vector<std::string> outer;
@@ -170,7 +168,7 @@ ExitStatus run(const AtlasOptions& options, const CLI::App& command) {
             emit(options, datasheet::atlas_svg(atlas));
             break;
         case Format::png:
-            emit(options, report::png_of_svg(datasheet::atlas_svg(atlas), kPngScale));
+            emit(options, report::png_of_svg(datasheet::atlas_svg(atlas), report::kPngScale));
             break;
     }
     write_report(options, "atlas",

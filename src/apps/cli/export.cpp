@@ -11,6 +11,7 @@
 #include "apps/cli/export_chips.h"
 #include "apps/cli/options.h"
 #include "apps/cli/paint_options.h"
+#include "apps/report/svg_raster.h"
 #include "nacre/core/file.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
@@ -114,6 +115,20 @@ std::string chips_name(const ExportOptions& options) {
     return options.output + ".svg";
 }
 
+/// @throws UsageError unless it is a picture of vectors or of pixels
+void check_chips(const ExportOptions& options) {
+    const std::string name = chips_name(options);
+    const std::string extension = std::filesystem::path(name).extension().string();
+    if (extension == ".svg" || extension == ".png") return;
+    throw UsageError(fmt::format("--chips = {}: must end in .svg or .png", name));
+}
+
+void write_chips(const ExportOptions& options, const std::string& svg) {
+    const std::string name = chips_name(options);
+    const bool png = std::filesystem::path(name).extension() == ".png";
+    write_file_atomically(name, png ? report::png_of_svg(svg, report::kPngScale) : svg);
+}
+
 BrdfSettings brdf_settings(const ExportOptions& options) {
     BrdfSettings settings;
     if (options.wavelengths.empty()) return settings;
@@ -174,7 +189,7 @@ void write_material(const ExportOptions& options, const Paint& paint, const Brdf
         return paint.export_material(format, settings, bar.callback());
     }();
     say_warnings(options, paint);
-    write_file_atomically(chips_name(options), material_chips(paint.name(), made));
+    write_chips(options, material_chips(paint.name(), made));
     emit(options, made.bytes);
     const exchange::MaterialFit& fit = made.fit;
     say_by_angle(options, fit.instrument);
@@ -204,7 +219,7 @@ void write_shader(const ExportOptions& options, const Paint& paint,
         return paint.export_threejs(model, bar.callback());
     }();
     say_warnings(options, paint);
-    write_file_atomically(chips_name(options), shader_chips(paint.name(), made));
+    write_chips(options, shader_chips(paint.name(), made));
     emit(options, made.bytes);
     say_by_angle(options, made.difference);
     say(options,
@@ -227,6 +242,7 @@ ExitStatus run(const ExportOptions& options) {
     require_values(parse_model_settings(options.model).info());
     BrdfSettings settings = brdf_settings(options);
     const std::optional<MaterialFormat> fitted = fitted_format(format);
+    if (is_material(format)) check_chips(options);
     if (is_material(format) && options.chips.empty()) check_chips_beside(chips_name(options));
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
@@ -298,8 +314,8 @@ Command add_export(CLI::App& program) {
         ->capture_default_str();
     only(command->add_option(
              "--chips", options->chips,
-             ".gltf, .mtlx, .blender.py, .three.js: picture of the paint's colours and the "
-             "material's, side by side [beside the output, .svg added]"),
+             ".gltf, .mtlx, .blender.py, .three.js: picture (.svg or .png) of the paint's colours "
+             "and the material's, side by side [beside the output, .svg added]"),
          options->only_materials)
         ->type_name("FILE");
     add_input_options(*command, *options);

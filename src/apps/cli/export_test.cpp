@@ -149,9 +149,14 @@ TEST_F(Program, ExportFitsMaterialsAndSaysByHowMuchTheyMiss) {
     EXPECT_THAT(kept.err, HasSubstr("gray.gltf.svg: is no picture of Nacre's"));
     EXPECT_EQ(contents(folder_ / "gray.gltf.svg"), "<svg/>");
     EXPECT_EQ(nacre("export gray.toml -q -o a.gltf --chips gray.toml").status, 1);
+    EXPECT_THAT(nacre("export gray.toml -q -o a.gltf --chips a.jpg").err,
+                HasSubstr("--chips = a.jpg: must end in .svg or .png"));
     EXPECT_EQ(nacre("export gray.toml -q -o a.gltf --rgb").status, 1);
     EXPECT_EQ(nacre("export gray.toml -q -o a.bsdf --chips a.svg").status, 1);
     EXPECT_FALSE(exists("a.gltf"));
+    ASSERT_EQ(nacre("export gray.toml -q -o b.gltf --chips b.png --wavelength 400:700:30").status,
+              0);
+    EXPECT_THAT(contents(folder_ / "b.png"), StartsWith("\x89PNG"));
 }
 
 TEST_F(Program, ExportWritesAShaderForThreejs) {
@@ -243,11 +248,14 @@ TEST_F(Program, MeasuredBrdfsHaveNoFlakes) {
         EXPECT_THAT(outcome.err, HasSubstr(std::string(said) + ": every"));
         EXPECT_FALSE(exists("a.exr")) << option;
     }
-    for (const std::string command : {"measure gray.bsdf --no-hot-spot",
-                                      "eval gray.bsdf --incident 45 --outgoing 0 --no-hot-spot"}) {
+    for (const auto& [command, said] :
+         {std::pair{"measure gray.bsdf --no-hot-spot", "--no-hot-spot"},
+          {"measure gray.bsdf --specimen 3", "--specimen = 3"},
+          {"eval gray.bsdf --incident 45 --outgoing 0 --specimen 3", "--specimen = 3"}}) {
         const Outcome outcome = nacre(command);
         EXPECT_EQ(outcome.status, 1) << command;
-        EXPECT_THAT(outcome.err, HasSubstr("--no-hot-spot: gray.bsdf holds a measured BRDF"));
+        EXPECT_THAT(outcome.err,
+                    HasSubstr(std::string(said) + ": gray.bsdf holds a measured BRDF"));
     }
     const Outcome sparkle = nacre("sparkle gray.bsdf");
     EXPECT_EQ(sparkle.status, 2);

@@ -129,13 +129,14 @@ std::optional<bsdf::Model> model_for(std::initializer_list<const Paint*> paints,
     }
     const auto measured = std::find_if(paints.begin(), paints.end(), is_measured_brdf);
     if (measured != paints.end()) {
-        if (!options.model_given && parse_model_settings(options).makes_table()) {
-            throw InputError(
-                fmt::format("{}: holds a measured BRDF, which is shown as it was measured: it "
-                            "takes neither --model nor {}",
-                            (*measured)->file(), fmt::join(solution_flags(), " nor ")));
-        }
         if (const auto choice = choice_of_any(options)) {
+            const std::vector<std::string> of_tables = solution_flags();
+            if (std::ranges::any_of(of_tables,
+                                    [&](auto& flag) { return choice->starts_with(flag); }))
+                throw InputError(
+                    fmt::format("{}: holds a measured BRDF, which is shown as it was measured: it "
+                                "takes neither --model nor {}",
+                                (*measured)->file(), fmt::join(of_tables, " nor ")));
             refuse_choice(*choice, (*measured)->file());
         }
     } else if (const auto choice = choice_of_any(options)) {

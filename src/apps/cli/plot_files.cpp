@@ -8,12 +8,11 @@ namespace nacre::cli {
 
 std::vector<FileContents> plot_files(const std::filesystem::path& folder,
                                      const std::vector<datasheet::NamedPlot>& plots) {
-    constexpr double kPngScale = 2;
     study::make_folder(folder);
     std::vector<FileContents> files;
     for (const datasheet::NamedPlot& named : plots) {
         std::string svg = report::plot_svg(named.plot);
-        std::string png = report::png_of_svg(svg, kPngScale);
+        std::string png = report::png_of_svg(svg, report::kPngScale);
         files.push_back({folder / (named.name + ".svg"), std::move(svg)});
         files.push_back({folder / (named.name + ".png"), std::move(png)});
     }

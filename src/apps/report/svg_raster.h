@@ -6,6 +6,8 @@
 namespace nacre::report {
 
 inline constexpr int kMaxRasterPixels = 100'000'000;
+/// Of plots and charts: sharp on displays of two pixels for one px, and in print.
+inline constexpr double kPngScale = 2;
 
 /// An SVG picture, with its size in px, as the bytes of a PNG file: `scale` pixels for one px, on
 /// the paper that the SVG has (none: transparent). Drawn by librsvg and cairo; letters are those
