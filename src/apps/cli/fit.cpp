@@ -262,7 +262,7 @@ ExitStatus run(const FitOptions& options) {
     document["model"] = options.model.model;
     document["hot_spot"] = how.target.hot_spot;
     document["recipe_sha256"] = io::recipe_hash(match.recipe);
-    require_going();
+    throw_if_stopped();
     document["rewritten"] =
         write_found(options, options.with_uncertainty ? with_errors(options, match) : match.paint);
     CommonOptions to_stdout = options;

@@ -98,12 +98,12 @@ void add_run_options(CLI::App& command, CommonOptions& options) {
     add_report(command, options);
 }
 
-void require_going() {
+void throw_if_stopped() {
     if (interrupt_requested()) throw Stopped("stopped; nothing was written");
 }
 
 void emit(const CommonOptions& options, const std::string& data) {
-    require_going();
+    throw_if_stopped();
     if (!options.output.empty() && options.output != "-") {
         write_file_atomically(options.output, data, [](double) { return !interrupt_requested(); });
         return;
@@ -118,7 +118,7 @@ std::string table_text(const CommonOptions& options, const std::string& csv) {
 
 void emit_together(const CommonOptions& options, const std::string& data,
                    std::vector<FileContents> others) {
-    require_going();
+    throw_if_stopped();
     if (!options.output.empty() && options.output != "-") {
         others.insert(others.begin(), {options.output, data});
     } else {

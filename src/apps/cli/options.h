@@ -133,10 +133,10 @@ void add_run_options(CLI::App& command, CommonOptions& options);
 References references_of(const CommonOptions& options, const std::string& input);
 
 /// @throws Stopped if the user has interrupted the command, which writes no file then
-void require_going();
+void throw_if_stopped();
 
 /// Data to the output file, whole or not at all, or to stdout.
-/// @throws Error if they cannot be written; Stopped as require_going()
+/// @throws Error if they cannot be written; Stopped as throw_if_stopped()
 void emit(const CommonOptions& options, const std::string& data);
 /// The same beside other files of the same result, which are replaced together with it.
 void emit_together(const CommonOptions& options, const std::string& data,

@@ -228,7 +228,7 @@ ExitStatus render_frames(RenderCommandOptions options, const Painted& start,
     bool complete = true;
     std::optional<Scene> scene;  // the last one keeps the paints solved for the next
     for (long frame = frames.first; frame <= frames.last && complete; ++frame) {
-        require_going();
+        throw_if_stopped();
         check_files(frame_files(options, frame));
         Painted turned = start;
         turned.description = render::turned(std::move(turned.description), turning,

@@ -140,7 +140,7 @@ json json_of(const SparkleOptions& options, const Paint& paint,
 
 void write_lamp_picture(const SparkleOptions& options, const std::string& name,
                         const measure::PanelPicture& picture) {
-    require_going();
+    throw_if_stopped();
     const io::ToneMap tone_map{io::display_stops(picture)};
     io::Image image = io::image_of(
         picture, {{"nacre:recipe", options.recipe},

@@ -158,7 +158,7 @@ Atlas flake_atlas(const AtlasFlake& flake, const std::vector<double>& thickness_
     const Cosines angles = cosines(geometries, flake.binder, wavelengths_nm);
     SharedProgress work(progress, static_cast<double>(thickness_nm.size()));
     for (std::size_t t = 0; t < thickness_nm.size(); ++t) {
-        work.require_going(kMaking);
+        work.throw_if_stopped(kMaking);
         const optics::FilmPopulation film{flake.film, thickness_nm[t], flake.film_spread};
         optics::Platelet platelet{flake.core.value_or(film), {}};
         if (flake.core) platelet.coats.push_back(film);
@@ -175,7 +175,7 @@ Atlas flake_atlas(const AtlasFlake& flake, const std::vector<double>& thickness_
         }
         work.add();
     }
-    work.require_going(kMaking);
+    work.throw_if_stopped(kMaking);
     return atlas;
 }
 
@@ -204,7 +204,7 @@ Atlas recipe_atlas(const paint::Recipe& recipe, const std::string& key,
     SharedProgress work(progress, static_cast<double>(values.size()));
     const Progress ask = [&](double) { return work.ask(); };
     for (std::size_t v = 0; v < values.size(); ++v) {
-        work.require_going(kMaking);
+        work.throw_if_stopped(kMaking);
         paint::Recipe changed = recipe;
         paint::set_parameter(changed, key, values[v]);
         const solver::SolvedPaint paint = solver::solve(changed, wavelengths_nm, {}, nullptr, ask);
@@ -219,7 +219,7 @@ Atlas recipe_atlas(const paint::Recipe& recipe, const std::string& key,
         }
         work.add();
     }
-    work.require_going(kMaking);
+    work.throw_if_stopped(kMaking);
     return atlas;
 }
 

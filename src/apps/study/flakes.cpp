@@ -262,7 +262,7 @@ void add_hiding(FlakesContext& context, const Progress& progress) {
             const montecarlo::Visibility v =
                 montecarlo::flake_visibility(scene, lamp, eye, context.settings.seed);
             work.add();
-            work.require_going("the study");
+            work.throw_if_stopped("the study");
             const double tau = depth * (paint::projected_area(eye.z, kAlpha) / eye.z +
                                         paint::projected_area(lamp.z, kAlpha) / lamp.z);
             const double mean = -std::expm1(-tau) / tau;

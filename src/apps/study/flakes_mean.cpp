@@ -55,7 +55,7 @@ std::vector<double> flux_of_discs(const paint::Recipe& recipe, double side_mm, d
     std::vector<double> flux(exits.size(), 0.0);
     Rng rng(seed);
     for (int n = 0; n < walks; ++n) {
-        if (n % 4096 == 0) work.require_going("the study");
+        if (n % 4096 == 0) work.throw_if_stopped("the study");
         const auto sample =
             bound->sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
         if (!sample || sample->kind == bsdf::SampleKind::specular) continue;
@@ -127,7 +127,7 @@ std::vector<MeanRatios> compare_means(const MeanCase& paint, double incidence_de
                                 hash_of(seed, n), work);
         work.add();
     });
-    work.require_going("the study");
+    work.throw_if_stopped("the study");
 
     const solver::SolvedPaint solved = solver::solve(recipe, {kWavelength_nm});
     const bsdf::HotSpotBrdf hot(solved);

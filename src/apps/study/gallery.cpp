@@ -115,7 +115,7 @@ Prepared prepare(const PictureJob& job, const bsdf::Model& model, const fs::path
                     out.data_bytes = t->bytes();
                 },
                 *table);
-            paint.table = bsdf::share_table(io::read_brdf_table(file));
+            paint.table = bsdf::shared_brdf_table(io::read_brdf_table(file));
         } else {
             io::write_solved_paint(file, solved);
             paint.solved = std::make_shared<const solver::SolvedPaint>(io::read_solved_paint(file));

@@ -217,7 +217,7 @@ void measure(std::vector<Curve>& curves, const std::vector<double>& footprints,
                         ->ask(curve.on_patch ? patches : std::vector<bsdf::Patch>{}, curve.ask)
                         .nanoseconds);
                 work.add();
-                work.require_going("the study");
+                work.throw_if_stopped("the study");
             }
         }
         for (std::size_t i = 0; i < curves.size(); ++i) {

@@ -33,7 +33,7 @@ enum class SampleKind {
     density,          ///< from a density per solid angle, which pdf() gives as well
     specular,         ///< the reflection or refraction of a smooth interface: a delta distribution
     unknown_density,  ///< by a random walk, whose density has no closed form
-    straight  ///< light goes on as if nothing stood there, weakened (BoundBsdf::straight_through)
+    null  ///< light goes on as if nothing stood there, weakened (BoundBsdf::null_transmission)
 };
 
 /// One direction drawn by BoundBsdf::sample().
@@ -41,10 +41,10 @@ struct BsdfSample {
     Vec3f wo;
     /// What the mean of L(wo) weight over all samples needs to be the reflected radiance of
     /// incident light L: f |cos| / pdf for `density`, reflectance (or transmittance) / pdf for
-    /// `specular` and `straight`, and for
+    /// `specular` and `null`, and for
     /// `unknown_density` the part of the walk's light that leaves.
     FloatLanes weight;
-    /// For `density` per solid angle in 1/sr, for `specular` and `straight` the probability of
+    /// For `density` per solid angle in 1/sr, for `specular` and `null` the probability of
     /// choosing that, for `unknown_density` without meaning and 1.
     float pdf = 0;
     SampleKind kind = SampleKind::density;
@@ -156,12 +156,12 @@ struct FlakeDepths {
 };
 
 /// What was scattered more than once, or by the ground.
-struct ScatteredAgain {
+struct MultiplyScattered {
     FloatLanes all{};
     /// Of it, what has met the ground: all that lies below the lowest flakes.
     FloatLanes from_ground{};
     /// Of the rest, what left the coat when it first met the interface from inside.
-    FloatLanes unreturned{};
+    FloatLanes no_internal_reflection{};
 };
 
 /// The piece of a surface that one sample of a picture looks at, in the terms that the surface
@@ -183,9 +183,9 @@ struct Patch {
     };
     Flakes flakes = Flakes::shown;
     /// Where flakes are apart or left out: the density of directions over a light narrower than
-    /// their lobes (BoundBsdf::narrow_light()), the inverse of its solid angle; 0 for other light.
+    /// their lobes (BoundBsdf::narrow_light_pdf()), the inverse of its solid angle; 0 for other light.
     /// Of such light the flakes that stand for others show as many flashes as there are.
-    float narrow_light = 0;
+    float narrow_light_pdf = 0;
 };
 
 /// What becomes of a BRDF f where the coat is thinner or thicker: factor f + added.
@@ -244,7 +244,7 @@ class BoundBsdf {
     virtual bool tells_flakes_apart() const { return false; }
     /// The density of directions over a light, per solid angle, above which it is narrower than the
     /// lobes of single flakes: then it is for light samples alone to find it.
-    virtual float narrow_light(Vec3f /*wi*/) const {
+    virtual float narrow_light_pdf(Vec3f /*wi*/) const {
         return std::numeric_limits<float>::infinity();
     }
     /// Asks the flakes of a patch: draws a direction out of the lobe of each, or several out of a wide
@@ -277,7 +277,7 @@ class BoundBsdf {
     virtual const InterfaceLobe* interface_lobe() const { return nullptr; }
     /// The u_select for which sample_on() the patch, or sample() if it is null, draws from that lobe. The
     /// width of the range is the probability of doing so, by which pdf() weighs the density of the lobe.
-    virtual UnitRange chooses_interface_lobe(const Patch* /*patch*/, Vec3f /*wi*/) const {
+    virtual UnitRange interface_lobe_range(const Patch* /*patch*/, Vec3f /*wi*/) const {
         return {};
     }
 
@@ -286,7 +286,7 @@ class BoundBsdf {
     /// Optical depth of the clear coat along its normal.
     virtual FloatLanes coat_depth() const { return FloatLanes{}; }
     /// Of eval(), above the horizon.
-    virtual ScatteredAgain scattered_again(Vec3f /*wi*/, Vec3f /*wo*/) const { return {}; }
+    virtual MultiplyScattered multiply_scattered(Vec3f /*wi*/, Vec3f /*wo*/) const { return {}; }
     /// Of the layers down to the lowest flakes, for light whose cosine inside to the flakes' mean normal,
     /// above 0, is given.
     virtual FlakeDepths flake_depths(float /*cosine*/) const { return {}; }
@@ -309,9 +309,9 @@ class BoundBsdf {
     /// The same face seen from its other side.
     virtual const BoundBsdf& from_behind() const { return *this; }
     /// What is left of light that has gone so far on this side before it arrives.
-    virtual FloatLanes passed(float /*distance_mm*/) const { return splat(1.0f); }
-    /// Transmittance of light that keeps its direction: what `straight` samples carry on average.
-    virtual FloatLanes straight_through(Vec3f /*wi*/) const { return FloatLanes{}; }
+    virtual FloatLanes transmittance(float /*distance_mm*/) const { return splat(1.0f); }
+    /// Transmittance of light that keeps its direction: what `null` samples carry on average.
+    virtual FloatLanes null_transmission(Vec3f /*wi*/) const { return FloatLanes{}; }
 };
 
 class Bsdf {
@@ -320,8 +320,8 @@ class Bsdf {
     virtual std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const = 0;
     /// Which part of a Patch evaluate_on() and sample_on() read.
     virtual SurfaceCoordinates surface_coordinates() const { return SurfaceCoordinates::none; }
-    /// Whether shadows of the surface are lit through it (BoundBsdf::straight_through).
-    virtual bool lets_light_straight_through() const { return false; }
+    /// Whether shadows of the surface are lit through it (BoundBsdf::null_transmission).
+    virtual bool has_null_transmission() const { return false; }
     /// Whether they differ from patch to patch.
     bool varies_over_surface() const { return surface_coordinates() != SurfaceCoordinates::none; }
     /// The waves of its coat, by which a renderer tilts it (TiltedCoat): the calls of BoundBsdf are of

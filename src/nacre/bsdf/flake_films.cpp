@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "nacre/core/error.h"
+#include "nacre/core/lru_cache.h"
 #include "nacre/core/random.h"
-#include "nacre/core/recent_results.h"
 #include "nacre/optics/thickness_rule.h"
 
 namespace nacre::bsdf {
@@ -109,7 +109,7 @@ std::shared_ptr<const FlakeFilms> flake_films(const optics::Platelet& platelet,
         int cosine_intervals;
         bool operator==(const Films&) const = default;
     };
-    static RecentResults<Films, FlakeFilms> films(std::size_t{64} << 20, [](const FlakeFilms& f) {
+    static LruCache<Films, FlakeFilms> films(std::size_t{64} << 20, [](const FlakeFilms& f) {
         return f.ratios().size() * sizeof(float);
     });
     return films.get({platelet,

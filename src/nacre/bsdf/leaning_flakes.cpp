@@ -54,7 +54,7 @@ LeaningFlakes::LeaningFlakes(const BoundBsdf& flat, const Lean& lean,
       coat_absorbs_(lane_max(coat_depth_) > 0),
       least_cosine_(
           std::sqrt(1 - (1 - kMinFlatCosine * kMinFlatCosine) / (index_.mean * index_.mean))),
-      ground_(flat.scattered_again({0, 0, 1}, far_from({1, 0})).from_ground) {
+      ground_(flat.multiply_scattered({0, 0, 1}, far_from({1, 0})).from_ground) {
     if (over_ground()) along_normal_ = flat_passage(1, 1);
     if (const auto ray = seen_from ? ray_of(*seen_from) : std::nullopt) {
         seen_from_ = see(*ray);
@@ -165,21 +165,22 @@ LeaningFlakes::Nearest LeaningFlakes::nearest(const Seen& seen_i, const Seen& se
 template <class F>
 FloatLanes LeaningFlakes::value(const Seen& i, const Seen& o, const FloatLanes& f,
                                 const F& beyond) const {
-    FloatLanes unreturned;
+    FloatLanes no_internal_reflection;
     if (beyond_critical(i, o)) {
         const Nearest pair = nearest(i, o);
-        const ScatteredAgain again = flat_.scattered_again(pair.wi, pair.wo);
-        unreturned = again.unreturned * pair.again +
-                     max_lanes(beyond(pair.wi, pair.wo) - again.all, FloatLanes{}) * pair.once;
+        const MultiplyScattered again = flat_.multiply_scattered(pair.wi, pair.wo);
+        no_internal_reflection =
+            again.no_internal_reflection * pair.again +
+            max_lanes(beyond(pair.wi, pair.wo) - again.all, FloatLanes{}) * pair.once;
     } else {
-        const ScatteredAgain again = flat_.scattered_again(i.flat, o.flat);
-        unreturned = again.unreturned * i.again * o.again +
-                     (f - min_lanes(again.all, f)) * once_factor(i, o);
+        const MultiplyScattered again = flat_.multiply_scattered(i.flat, o.flat);
+        no_internal_reflection = again.no_internal_reflection * i.again * o.again +
+                                 (f - min_lanes(again.all, f)) * once_factor(i, o);
     }
-    const ScatteredAgain twice = flat_.scattered_again(i.twice, o.twice);
+    const MultiplyScattered twice = flat_.multiply_scattered(i.twice, o.twice);
     const FloatLanes returned =
-        max_lanes(twice.all - (twice.unreturned + twice.from_ground), FloatLanes{});
-    return unreturned + returned * i.again_twice * o.again_twice +
+        max_lanes(twice.all - (twice.no_internal_reflection + twice.from_ground), FloatLanes{});
+    return no_internal_reflection + returned * i.again_twice * o.again_twice +
            from_ground(i, o, twice.from_ground);
 }
 
@@ -302,16 +303,16 @@ std::optional<BsdfSample> LeaningFlakes::sample_on(const Patch& patch, Vec3f wi,
 // Nobody asks flakes there, and of those that happen to be met by samples of wide light a few would
 // outshine the picture.
 bool LeaningFlakes::is_mean_beyond(const Patch& patch) {
-    return patch.flakes != Patch::Flakes::shown && !(patch.narrow_light > 0);
+    return patch.flakes != Patch::Flakes::shown && !(patch.narrow_light_pdf > 0);
 }
 
 FloatLanes LeaningFlakes::beyond_on(const Patch& patch, Vec3f wi, Vec3f wo) const {
     return is_mean_beyond(patch) ? flat_.eval(wi, wo) : flat_.evaluate_on(patch, wi, wo).f;
 }
 
-float LeaningFlakes::narrow_light(Vec3f wi) const {
+float LeaningFlakes::narrow_light_pdf(Vec3f wi) const {
     const auto i = ray_of(wi);
-    return i ? flat_.narrow_light(i->flat) : std::numeric_limits<float>::infinity();
+    return i ? flat_.narrow_light_pdf(i->flat) : std::numeric_limits<float>::infinity();
 }
 
 void LeaningFlakes::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,

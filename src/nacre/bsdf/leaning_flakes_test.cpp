@@ -159,13 +159,14 @@ TEST(LeaningFlakes, LightFromTheGroundIsWhatTheFlakesOverBlackHaveNot) {
     for (int i = 0; i < 300; ++i) {
         const Vec3f wi = direction(85 * rng.uniform_double(), 360 * rng.uniform_double());
         const Vec3f wo = direction(85 * rng.uniform_double(), 360 * rng.uniform_double());
-        const ScatteredAgain over_white = white.bound->scattered_again(wi, wo);
-        const ScatteredAgain over_black = black.bound->scattered_again(wi, wo);
+        const MultiplyScattered over_white = white.bound->multiply_scattered(wi, wo);
+        const MultiplyScattered over_black = black.bound->multiply_scattered(wi, wo);
         const float f = white.bound->eval(wi, wo)[0], ground = over_white.from_ground[0];
         ASSERT_NEAR(f - ground, black.bound->eval(wi, wo)[0], 2e-3f * f);
         brightest = std::max(brightest, double{ground / f});
         EXPECT_EQ(over_black.from_ground[0], 0);
-        ASSERT_NEAR(over_white.unreturned[0], over_black.unreturned[0], 1e-3f * f);
+        ASSERT_NEAR(over_white.no_internal_reflection[0], over_black.no_internal_reflection[0],
+                    1e-3f * f);
     }
     EXPECT_GT(brightest, 0.8);
 }
@@ -255,9 +256,9 @@ TEST(LeaningFlakes, ShowTheirMeanUnderWideLightBeyondTheCriticalAngle) {
         const Vec3f wi = direction(20, 0), wo = direction(75, azimuth);
         const float mean = leaning.eval(wi, wo)[0];
         Patch patch;
-        const auto left = [&](Flakes flakes, float narrow_light) {
+        const auto left = [&](Flakes flakes, float narrow_light_pdf) {
             patch.flakes = flakes;
-            patch.narrow_light = narrow_light;
+            patch.narrow_light_pdf = narrow_light_pdf;
             return leaning.evaluate_on(patch, wi, wo).f[0];
         };
         EXPECT_FLOAT_EQ(left(Flakes::shown, 0), 2 * mean);

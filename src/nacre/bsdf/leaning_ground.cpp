@@ -68,7 +68,7 @@ LeaningFlakes::GroundRays LeaningFlakes::ground_rays(const Seen& seen) const {
             Vec3f{sine * azimuth.x, sine * azimuth.y, std::sqrt(std::max(1e-8f, 1 - sine * sine))});
         rays.w[rays.count] = asked;
         rays.factor[rays.count] = weight * over(flat_passage(inside, asked.z));
-        from_here += flat_.scattered_again(asked, from).from_ground * rays.factor[rays.count];
+        from_here += flat_.multiply_scattered(asked, from).from_ground * rays.factor[rays.count];
         ++rays.count;
     };
     if (z >= least_cosine_) {
@@ -98,8 +98,8 @@ FloatLanes LeaningFlakes::from_ground(const Seen& i, const Seen& o, const FloatL
     FloatLanes sum{};
     for (int a = 0; a < rays_i.count; ++a) {
         for (int b = 0; b < rays_o.count; ++b) {
-            sum += flat_.scattered_again(rays_i.w[a], rays_o.w[b]).from_ground * rays_i.factor[a] *
-                   rays_o.factor[b];
+            sum += flat_.multiply_scattered(rays_i.w[a], rays_o.w[b]).from_ground *
+                   rays_i.factor[a] * rays_o.factor[b];
         }
     }
     return max_lanes(sum, FloatLanes{});

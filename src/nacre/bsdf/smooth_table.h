@@ -85,8 +85,8 @@ inline void prefetch(const SmoothGrid& grid, const FloatLanes* values, const Smo
     }
 }
 
-/// Memory of the bound tables of one SmoothTable that are no more, for those to come: a picture binds one
-/// for each of its passes, and pages that are new to a program cost more than what is written to them.
+/// Free list of the memory of one SmoothTable's bound tables: a picture binds one a pass, and fresh pages
+/// cost more than filling them.
 class SmoothTableMemory {
  public:
     struct GiveBack {

@@ -134,7 +134,7 @@ std::array<Vec3f, 2> TiltedCoat::turned_up(Vec3f wo) const {
 
 float TiltedCoat::chosen(const Patch* patch, const Ray& i) const {
     if (!lobe_) return 0;
-    const UnitRange range = flat_.chooses_interface_lobe(patch, i.flat);
+    const UnitRange range = flat_.interface_lobe_range(patch, i.flat);
     return range.to - range.from;
 }
 
@@ -189,7 +189,7 @@ std::optional<BsdfSample> TiltedCoat::sample_by(const Patch* patch, Vec3f wi, fl
         return wo ? valued(*wo) : std::nullopt;
     }
     const float rest = std::min(u_select / as_flat(), 0x1.fffffep-1f);
-    const UnitRange of_lobe = lobe_ ? flat_.chooses_interface_lobe(patch, i->flat) : UnitRange{};
+    const UnitRange of_lobe = lobe_ ? flat_.interface_lobe_range(patch, i->flat) : UnitRange{};
     if (rest >= of_lobe.from && rest < of_lobe.to) {
         const float u_sign = (rest - of_lobe.from) / (of_lobe.to - of_lobe.from);
         const Vec3f reflected = lobe_->sample(frame_.to_local(wi), u_sign, u);
@@ -282,9 +282,9 @@ std::optional<BsdfSample> TiltedCoat::sample_on(const Patch& patch, Vec3f wi, fl
         [&](Vec3f i, Vec3f o) { return flat_.evaluate_on(patch, i, o); });
 }
 
-float TiltedCoat::narrow_light(Vec3f wi) const {
+float TiltedCoat::narrow_light_pdf(Vec3f wi) const {
     const auto i = ray_of(wi);
-    return i ? flat_.narrow_light(i->flat) : std::numeric_limits<float>::infinity();
+    return i ? flat_.narrow_light_pdf(i->flat) : std::numeric_limits<float>::infinity();
 }
 
 void TiltedCoat::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,

@@ -63,7 +63,7 @@ class TiltedCoat final : public BoundBsdf {
                                         Vec2f u) const override;
 
     bool tells_flakes_apart() const override { return flat_.tells_flakes_apart(); }
-    float narrow_light(Vec3f wi) const override;
+    float narrow_light_pdf(Vec3f wi) const override;
     void ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
                     std::vector<AskedFlakes>& list) const override;
     FloatLanes flake_weight(const Patch& patch, Vec3f wi, const AskedFlake& flake) const override;

@@ -38,11 +38,11 @@ std::optional<BsdfSample> VariedCoat::sample_on(const Patch& patch, Vec3f wi, fl
     return changed(mean_.sample_on(patch, wi, u_select, u), wi);
 }
 
-ScatteredAgain VariedCoat::scattered_again(Vec3f wi, Vec3f wo) const {
-    const ScatteredAgain mean = mean_.scattered_again(wi, wo);
+MultiplyScattered VariedCoat::multiply_scattered(Vec3f wi, Vec3f wo) const {
+    const MultiplyScattered mean = mean_.multiply_scattered(wi, wo);
     const FloatLanes once_each_way = mean_.coat_factor(wi, wo, deviation_);
     return {changed(mean.all, wi, wo), mean.from_ground * once_each_way,
-            mean.unreturned * once_each_way};
+            mean.no_internal_reflection * once_each_way};
 }
 
 FloatLanes VariedCoat::flake_weight(const Patch& patch, Vec3f wi, const AskedFlake& flake) const {

@@ -33,7 +33,7 @@ class VariedCoat final : public BoundBsdf {
     }
     float specular_probability(Vec3f wi) const override { return mean_.specular_probability(wi); }
     bool tells_flakes_apart() const override { return mean_.tells_flakes_apart(); }
-    float narrow_light(Vec3f wi) const override { return mean_.narrow_light(wi); }
+    float narrow_light_pdf(Vec3f wi) const override { return mean_.narrow_light_pdf(wi); }
     void ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
                     std::vector<AskedFlakes>& list) const override {
         mean_.ask_flakes(patch, wi, random, list);
@@ -41,13 +41,13 @@ class VariedCoat final : public BoundBsdf {
     std::size_t patch_memory_bytes() const override { return mean_.patch_memory_bytes(); }
     BinderIndex binder_index() const override { return mean_.binder_index(); }
     const InterfaceLobe* interface_lobe() const override { return mean_.interface_lobe(); }
-    UnitRange chooses_interface_lobe(const Patch* patch, Vec3f wi) const override {
-        return mean_.chooses_interface_lobe(patch, wi);
+    UnitRange interface_lobe_range(const Patch* patch, Vec3f wi) const override {
+        return mean_.interface_lobe_range(patch, wi);
     }
     FloatLanes coat_depth() const override { return mean_.coat_depth(); }
     /// What the interface returns of the ground's light on its way, through the coat once more, is left to
     /// the rest.
-    ScatteredAgain scattered_again(Vec3f wi, Vec3f wo) const override;
+    MultiplyScattered multiply_scattered(Vec3f wi, Vec3f wo) const override;
     FlakeDepths flake_depths(float cosine) const override { return mean_.flake_depths(cosine); }
     /// Of the mean thickness.
     FloatLanes albedo(Vec3f wi) const override { return mean_.albedo(wi); }

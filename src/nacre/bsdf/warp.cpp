@@ -116,7 +116,7 @@ SquareWarp::SquareWarp(std::span<const float> values, int slices, int rows, int 
     std::vector<double> along(cells), under(rows);
     std::vector<float> density(columns), so_far(columns), row_so_far(rows), whole_rows(rows);
     for (int s = 0; s < slices; ++s) {
-        if (work) work->require_going("preparing a measured BRDF");
+        if (work) work->throw_if_stopped("preparing a measured BRDF");
         const std::span<const float> in = values.subspan(s * cells, cells);
         const auto integrate = [&](auto&& value) {
             for (int r = 0; r < rows; ++r) {

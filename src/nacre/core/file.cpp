@@ -426,7 +426,7 @@ void write_file_atomically(const fs::path& path, std::string_view bytes, const P
     SharedProgress work(progress, 1);
     while (progress && bytes.size() > kPiece) {
         work.add(0);
-        work.require_going("writing the file");
+        work.throw_if_stopped("writing the file");
         file.write(bytes.substr(0, kPiece));
         file.flush();
         bytes.remove_prefix(kPiece);

@@ -65,7 +65,7 @@ bool SharedProgress::ask() {
     return !stopped_;
 }
 
-void SharedProgress::require_going(const char* what) {
+void SharedProgress::throw_if_stopped(const char* what) {
     if (!ask()) throw Stopped(fmt::format("{} was stopped", what));
 }
 

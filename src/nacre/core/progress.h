@@ -41,7 +41,7 @@ class SharedProgress {
     bool stopped() const { return stopped_; }
     /// Asks, as above, and ends a loop of threads if it must stop.
     /// @throws Stopped "`what` was stopped"
-    void require_going(const char* what);
+    void throw_if_stopped(const char* what);
 
  private:
     using Clock = std::chrono::steady_clock;

@@ -114,7 +114,7 @@ TEST(SharedProgress, TellsFromOneThreadAtATimeWhatAllHaveDone) {
     EXPECT_GE(calls, 1000);
     EXPECT_EQ(last, 1.0);
     EXPECT_FALSE(work.stopped());
-    EXPECT_NO_THROW(work.require_going("counting"));
+    EXPECT_NO_THROW(work.throw_if_stopped("counting"));
 }
 
 TEST(SharedProgress, RemembersThatItWasAskedToStop) {
@@ -126,7 +126,7 @@ TEST(SharedProgress, RemembersThatItWasAskedToStop) {
     EXPECT_TRUE(work.stopped());
     EXPECT_FALSE(work.ask());
     try {
-        work.require_going("counting");
+        work.throw_if_stopped("counting");
         FAIL() << "went on";
     } catch (const Error& error) {
         EXPECT_STREQ(error.what(), "counting was stopped");

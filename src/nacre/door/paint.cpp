@@ -184,7 +184,8 @@ Paint open_text(std::string bytes, const std::string& name, const References& re
                 name, sha256_hex(bytes)));
         case Kind::brdf_table:
             return Paint(std::make_shared<const Paint::State>(
-                bsdf::share_table(io::parse_brdf_table(bytes, name)), name, sha256_hex(bytes)));
+                bsdf::shared_brdf_table(io::parse_brdf_table(bytes, name)), name,
+                sha256_hex(bytes)));
         case Kind::measured_brdf:
             return Paint(std::make_shared<const Paint::State>(read_measured_brdf(bytes, name), name,
                                                               sha256_hex(bytes)));

@@ -218,7 +218,7 @@ void seek_remedies(ConstructionMatch& best, const Measurement& standard,
     match.remedies = fit::find_remedies(
         fit::Target(standard, settings.target), match.recipe, start.recipe(), match.parameters,
         match.difference.mean_delta_e_2000, work, match.effort.solves);
-    work.require_going("the search for what might help");
+    work.throw_if_stopped("the search for what might help");
 }
 
 }  // namespace

@@ -179,7 +179,7 @@ MaterialFit fit_material(const FormatModel& model, const measure::Measurement& f
         if (work.stopped()) return;
         candidates[i] = {sum_of_squares(residuals, points[i]), points[i]};
     });
-    work.require_going("fitting a material");
+    work.throw_if_stopped("fitting a material");
     work.add(1);
     const auto keep_best = [&](std::size_t count) {
         std::stable_sort(candidates.begin(), candidates.end(),
@@ -195,7 +195,7 @@ MaterialFit fit_material(const FormatModel& model, const measure::Measurement& f
             candidates[i].first = sum_of_squares(residuals, candidates[i].second);
             work.add(1);
         });
-        work.require_going("fitting a material");
+        work.throw_if_stopped("fitting a material");
     };
     if (model.trial_steps > 0) {
         descend(model.trial_steps);

@@ -277,7 +277,7 @@ std::vector<std::array<double, 2>> screened(const std::vector<Application>& appl
                 for (std::size_t i = 0; i < count; ++i) {
                     error[i] += std::pow(reflectance[i] - application.reading->reflectance[i], 2);
                 }
-                work.require_going("the estimate of the pigment");
+                work.throw_if_stopped("the estimate of the pigment");
             }
             for (std::size_t i = 0; i < count; ++i) {
                 if (!(error[i] < least[i])) continue;
@@ -384,7 +384,7 @@ PigmentEstimate estimate_pigment(const Drawdown& drawdown, const DrawdownSetting
                                 start[i], first);
         work.add();
     });
-    work.require_going("the estimate of the pigment");
+    work.throw_if_stopped("the estimate of the pigment");
 
     PigmentEstimate out;
     out.wavelengths_nm = drawdown.wavelengths_nm;

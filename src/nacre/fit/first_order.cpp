@@ -43,7 +43,8 @@ struct NextTerms {
 /// @param first   f_i s_i by direction
 /// @param change  of the quantity from the centre to some values
 template <class Change>
-NextTerms next_terms(const std::vector<double>& first, const Moves& moves, const Change& change) {
+NextTerms next_terms(const std::vector<double>& first, const Sensitivities& moves,
+                     const Change& change) {
     NextTerms out;
     double next = 0;
     const auto even_part = [&](const BothSides& sides) {
@@ -119,7 +120,7 @@ void add_chroma_and_hue(Spread& spread, const Vec3d& lab) {
 }
 
 ReadingUncertainty reading_of(const measure::Reading& reading, std::size_t lab,
-                              std::size_t spectrum, const Moves& moves) {
+                              std::size_t spectrum, const Sensitivities& moves) {
     ReadingUncertainty out;
     out.reading = reading;
     out.change.resize(moves.numbers);
@@ -157,7 +158,7 @@ ReadingUncertainty reading_of(const measure::Reading& reading, std::size_t lab,
     return out;
 }
 
-std::optional<MetricUncertainty> metric_of(std::size_t position, const Moves& moves) {
+std::optional<MetricUncertainty> metric_of(std::size_t position, const Sensitivities& moves) {
     MetricUncertainty out;
     out.value = moves.centre[position];
     out.change = moves.of(position);

@@ -12,9 +12,9 @@ namespace nacre::fit {
 
 /// @param lab, spectrum  where the reading's numbers begin (ValueLayout)
 ReadingUncertainty reading_of(const measure::Reading& reading, std::size_t lab,
-                              std::size_t spectrum, const Moves& moves);
+                              std::size_t spectrum, const Sensitivities& moves);
 /// None where the metric has no value.
-std::optional<MetricUncertainty> metric_of(std::size_t position, const Moves& moves);
+std::optional<MetricUncertainty> metric_of(std::size_t position, const Sensitivities& moves);
 
 /// Chroma and hue from the spread of a* and b*, where that does not reach grey.
 void add_chroma_and_hue(Spread& spread, const Vec3d& lab);

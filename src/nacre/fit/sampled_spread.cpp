@@ -124,7 +124,7 @@ SampledSums sampled_sums(UncertainPaint& paint, const ValueLayout& layout, const
         parallel_for_ranges(0, count, 1, [&](std::size_t i, std::size_t) {
             draws[i] = draw_paint(paint, options.seed, first + i);
         });
-        paint.require_going();
+        paint.throw_if_stopped();
         for (const Draw& draw : draws) {
             redrawn += draw.redrawn;
             if (!draw.values) {

@@ -195,7 +195,7 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
     return largest;
 }
 
-void require_going(const ColourModel& model) {
+void throw_if_stopped(const ColourModel& model) {
     if (model.stopped()) throw Stopped(kStopped);
 }
 
@@ -218,7 +218,7 @@ std::vector<Candidate> screen(const ColourModel& model, std::vector<std::vector<
         });
         meter.add(1);
     });
-    require_going(model);
+    throw_if_stopped(model);
     return candidates;
 }
 
@@ -251,7 +251,7 @@ std::vector<Descent> descend_from(const ColourModel& model,
             [&] { ends[i] = descend(model, starts[i], detail, limits, [&] { meter.add(1); }); });
         meter.add(units - ends[i].steps);
     });
-    require_going(model);
+    throw_if_stopped(model);
     std::stable_sort(ends.begin(), ends.end(), [](const Descent& a, const Descent& b) {
         return a.rms_delta_e < b.rms_delta_e;
     });
@@ -330,7 +330,7 @@ std::vector<Descent> short_search(const ColourModel& model, const std::vector<do
 
 Descent coarse_descent(const ColourModel& model, const std::vector<double>& start) {
     Descent end = descend(model, start, Detail::coarse, kCoarseLimits);
-    require_going(model);
+    throw_if_stopped(model);
     return end;
 }
 

@@ -74,7 +74,7 @@ std::optional<Evaluation> UncertainPaint::evaluate(std::span<const double> point
     return out;
 }
 
-Moves UncertainPaint::moves(const Evaluation& centre) {
+Sensitivities UncertainPaint::moves(const Evaluation& centre) {
     const std::vector<double> origin(numbers_.size(), 0.0);
     std::vector<StepAlong> steps;
     for (std::size_t i = 0; i < numbers_.size(); ++i) {
@@ -90,19 +90,19 @@ Moves UncertainPaint::moves(const Evaluation& centre) {
         return evaluate(point, like);
     };
     auto jacobian = differences(function, origin, centre, steps, true);
-    require_going();
+    throw_if_stopped();
     if (!jacobian) {
         throw Error("a number can be moved to neither side: " + first_failure_);
     }
-    Moves moves{centre.values, std::move(*jacobian), {}, {}, numbers_.size(), root_};
+    Sensitivities moves{centre.values, std::move(*jacobian), {}, {}, numbers_.size(), root_};
     add_wide_steps(centre, moves);
     return moves;
 }
 
-void UncertainPaint::require_going() const {
+void UncertainPaint::throw_if_stopped() const {
     if (work_.stopped()) throw Stopped("the uncertainties were stopped before they were done");
 }
-void UncertainPaint::add_wide_steps(const Evaluation& centre, Moves& moves) {
+void UncertainPaint::add_wide_steps(const Evaluation& centre, Sensitivities& moves) {
     const std::size_t count = numbers_.size();
     std::vector<std::vector<std::size_t>> moved;  // directions, at once
     for (std::size_t i = 0; i < count; ++i) moved.push_back({i});
@@ -125,7 +125,7 @@ void UncertainPaint::add_wide_steps(const Evaluation& centre, Moves& moves) {
             values[k] = std::move(beside->values);
         }
     });
-    require_going();
+    throw_if_stopped();
     for (std::size_t m = 0; m < moved.size(); ++m) {
         (m < count ? moves.alone : moves.pairs)
             .push_back({std::move(values[2 * m]), std::move(values[2 * m + 1])});

@@ -17,7 +17,7 @@ namespace nacre::fit {
 class UncertainPaint {
  public:
     /// References must outlive it.
-    /// @param root  of the numbers' correlations, as Moves::root
+    /// @param root  of the numbers' correlations, as Sensitivities::root
     UncertainPaint(const paint::Recipe& recipe, std::vector<double> root, const PaintReader& reader,
                    SharedProgress& work)
         : recipe_(recipe), root_(std::move(root)), reader_(reader), work_(work) {}
@@ -37,15 +37,15 @@ class UncertainPaint {
     std::optional<Evaluation> evaluate(std::span<const double> point,
                                        const solver::SolverSettings* like);
     /// @throws Error if a number can be moved to neither side; Stopped
-    Moves moves(const Evaluation& centre);
+    Sensitivities moves(const Evaluation& centre);
 
     /// @throws Stopped
-    void require_going() const;
+    void throw_if_stopped() const;
     std::string first_failure() const { return first_failure_; }
 
  private:
     /// One standard deviation to either side in each direction and in each pair of them.
-    void add_wide_steps(const Evaluation& centre, Moves& moves);
+    void add_wide_steps(const Evaluation& centre, Sensitivities& moves);
     /// Whether any number that is uncertain moves in a direction.
     bool moves_anything(std::size_t direction) const;
 

@@ -34,7 +34,7 @@ struct BothSides {
 
 /// Several values and how the numbers move them. Directions are the independent numbers z of which
 /// the numbers are made, in standard deviations, x = L z: the numbers themselves where L is none.
-struct Moves {
+struct Sensitivities {
     Values centre;
     std::vector<double>
         first;  ///< by value and number: with one standard deviation, to first order

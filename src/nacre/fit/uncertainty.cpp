@@ -79,11 +79,11 @@ Uncertainty uncertainty(const paint::Recipe& recipe,
     // Errors of the recipe are thrown here.
     const PaintReading here = reader(recipe, nullptr, work);
     work.add();
-    paint.require_going();
+    paint.throw_if_stopped();
     const Evaluation centre{values_of(here.measurement), here.settings};
     const ValueLayout layout{here.measurement.readings.size(),
                              here.measurement.wavelengths_nm.size()};
-    const Moves moves = paint.moves(centre);
+    const Sensitivities moves = paint.moves(centre);
 
     Uncertainty out;
     out.measurement = here.measurement;

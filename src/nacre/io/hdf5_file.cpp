@@ -97,7 +97,7 @@ void write_typed_array(hid_t parent, const char* name, const Hdf5Shape& shape, h
     const Hdf5Handle set(
         H5Dcreate2(parent, name, type, space, H5P_DEFAULT, properties, H5P_DEFAULT), action);
     for (hsize_t first = 0; bytes > 0 && first < shape[0]; first += chunk[0]) {
-        if (work) work->require_going("compressing the file");
+        if (work) work->throw_if_stopped("compressing the file");
         write_rows(set, shape, type, static_cast<const char*>(values) + first * (bytes / shape[0]),
                    first, std::min(chunk[0], shape[0] - first), action);
     }

@@ -145,7 +145,7 @@ std::size_t aligned(std::size_t position) {
 void append_bytes(std::string& to, std::string_view bytes, SharedProgress* work) {
     constexpr std::size_t kPiece = 1 << 24;
     for (std::size_t at = 0; at < bytes.size(); at += kPiece) {
-        if (work) work->require_going("making the file");
+        if (work) work->throw_if_stopped("making the file");
         to.append(bytes.substr(at, kPiece));
     }
 }

@@ -24,7 +24,7 @@ void fill(std::vector<T>& values, std::size_t count, T value, SharedProgress& wo
     constexpr std::size_t kPiece = 1 << 22;
     values.reserve(count);
     while (values.size() < count) {
-        work.require_going(kMeasuring);
+        work.throw_if_stopped(kMeasuring);
         values.resize(std::min(count, values.size() + kPiece), value);
     }
 }
@@ -116,7 +116,7 @@ std::vector<double> projected_areas(const std::vector<double>& density, SharedPr
     const std::vector<double> weights = ring_weights(count);
     std::vector<double> area(count, 0.0);
     for (int a = 0; a < count; ++a) {
-        work.require_going(kMeasuring);
+        work.throw_if_stopped(kMeasuring);
         for (int b = 0; b < count; ++b) {
             area[a] +=
                 weights[b] * density[b] * ring_area(polar_node(a, count), polar_node(b, count));
@@ -129,7 +129,7 @@ Facets find_facets(const Brdf& brdf, const SpectrumColour& colour, int count,
                    SharedProgress& work) {
     std::vector<double> retro(count);
     parallel_for(0, count, [&](std::size_t k) {
-        work.require_going(kMeasuring);
+        work.throw_if_stopped(kMeasuring);
         const double theta = std::min(polar_node(static_cast<int>(k), count), kMaxPolar);
         retro[k] = colour.luminance(brdf(theta, theta, 0)) * std::cos(theta);
     });
@@ -182,7 +182,7 @@ void fill_spacing(bsdf::RglTable& table, const Facets& facets, SharedProgress& w
     }
     for (std::size_t slice = 0; slice < table.slices(); ++slice) {
         for (int row = 0; row < table.vndf_rows; ++row) {
-            work.require_going(kMeasuring);
+            work.throw_if_stopped(kMeasuring);
             const double sine =
                 std::sin((2.0 * row / (table.vndf_rows - 1) - 1) * std::numbers::pi);
             for (const double density : along) {
@@ -324,7 +324,7 @@ TableError table_error(const bsdf::Bsdf& table, const Brdf& exact,
             largest = max_lanes(largest, difference * wo.z);
         };
         for (int n = 0; n < kSamplesPerIncidence; ++n) {
-            work.require_going("comparing the table with the BRDF");
+            work.throw_if_stopped("comparing the table with the BRDF");
             const auto s =
                 bound->sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
             if (s) compare(s->wo, 1 / s->pdf);

@@ -46,7 +46,7 @@ void for_each_row(int rows, const Progress& progress, const Body& body) {
         body(static_cast<int>(row), counter);
         counter.add();
     });
-    counter.require_going(kMeasuring);
+    counter.throw_if_stopped(kMeasuring);
 }
 
 /// Cells of a table over half and difference angles, [2, 1024] each. Reading code of the database

@@ -111,7 +111,7 @@ class Instrument {
         std::vector<double> sum(wavelengths_, 0.0);
         for (const ConeNode& in : lamp) {
             for (const ConeNode& out : detector) {
-                work_.require_going(kReading);
+                work_.throw_if_stopped(kReading);
                 const std::vector<double> f = brdf_(in.theta, out.theta, out.phi - in.phi);
                 if (f.size() != wavelengths_) {
                     throw DomainError(fmt::format("the BRDF has {} values for {} wavelengths",
@@ -161,12 +161,12 @@ Measurement measure(const std::string& name, const Brdf& brdf,
     counter.add(0);
     const Instrument instrument(brdf, wavelengths_nm.size(), conditions.aperture, counter);
     parallel_for(0, geometries.size(), [&](std::size_t i) {
-        counter.require_going(kReading);
+        counter.throw_if_stopped(kReading);
         measurement.readings[i] =
             coloured(geometries[i], wavelengths_nm, instrument.read(geometries[i]), conditions);
         counter.add();
     });
-    counter.require_going(kReading);
+    counter.throw_if_stopped(kReading);
     return measurement;
 }
 

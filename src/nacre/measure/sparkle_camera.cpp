@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "nacre/bsdf/bsdf.h"
-#include "nacre/bsdf/coat_here.h"
 #include "nacre/bsdf/leaning_flakes.h"
+#include "nacre/bsdf/local_coat.h"
 #include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/memory.h"
@@ -159,12 +159,12 @@ class Photographer {
         workspace.diffuse.fill(Spectrum{});
         Rng rng(camera_.seed, pixel);
         for (int piece = 0; piece < patches_ * patches_; ++piece) {
-            work.require_going(kTaking);
+            work.throw_if_stopped(kTaking);
             workspace.memory.forget();
             const bsdf::Patch patch = patch_of(pixel, piece, workspace.memory);
-            const bsdf::PlaceOfCoat place = place_of(patch);
-            const Surfaces here{bsdf::CoatHere(*bound_[0], place, kView),
-                                bsdf::CoatHere(*bound_[1], place, kView)};
+            const bsdf::CoatParameters place = place_of(patch);
+            const Surfaces here{bsdf::LocalCoat(*bound_[0], place, kView),
+                                bsdf::LocalCoat(*bound_[1], place, kView)};
             for (std::size_t lamp = 0; lamp < lamps_.size(); ++lamp) {
                 add_lit(here, patch, lamps_[lamp], workspace.by_lamp[lamp], work);
             }
@@ -184,10 +184,10 @@ class Photographer {
     }
 
  private:
-    using Surfaces = std::array<bsdf::CoatHere, kOctets>;
+    using Surfaces = std::array<bsdf::LocalCoat, kOctets>;
 
     // Of a flat panel whose frame is that of its coordinates; the lean is part of bound_.
-    bsdf::PlaceOfCoat place_of(const bsdf::Patch& patch) const {
+    bsdf::CoatParameters place_of(const bsdf::Patch& patch) const {
         if (!waves_) return {};
         const sparkle::ObjectSpaceFootprint& at = patch.footprint;
         return {.slope = waves_->slope(at.position_mm, at.normal, at.tangent)};
@@ -220,7 +220,7 @@ class Photographer {
                  const std::vector<LampDirection>& lamp, Spectrum& sum,
                  SharedProgress& work) const {
         for (const LampDirection& d : lamp) {
-            work.require_going(kTaking);
+            work.throw_if_stopped(kTaking);
             for (int o = 0; o < kOctets; ++o) {
                 sum[o] += d.weight * here[o].surface().evaluate_on(patch, kView, d.towards).f;
             }
@@ -231,7 +231,7 @@ class Photographer {
                      SharedProgress& work) const {
         const double shift[3] = {rng.uniform_double(), rng.uniform_double(), rng.uniform_double()};
         for (const auto& point : points_) {
-            work.require_going(kTaking);
+            work.throw_if_stopped(kTaking);
             const auto sample = here[0].surface().sample_on(
                 patch, kView, fraction_of(point[0] + shift[0]),
                 {fraction_of(point[1] + shift[1]), fraction_of(point[2] + shift[2])});

@@ -106,8 +106,8 @@ bool is_peak(const RetinalPicture& picture, int x, int y) {
            at[0] >= at[1] && at[0] >= at[w - 1] && at[0] >= at[w] && at[0] >= at[w + 1];
 }
 
-void require_going(SharedProgress* work) {
-    if (work) work->require_going("reading the pictures");
+void throw_if_stopped(SharedProgress* work) {
+    if (work) work->throw_if_stopped("reading the pictures");
 }
 
 // Sums over the pixels of a piece of the picture.
@@ -151,14 +151,14 @@ RetinalPicture retinal_picture(const PanelPicture& picture, const Viewing& viewi
     const std::size_t from = picture.width, to = seen.width;
     std::vector<double> rows(to * picture.height);
     parallel_for(0, picture.height, [&](std::size_t y) {
-        require_going(work);
+        throw_if_stopped(work);
         for (std::size_t x = 0; x < to; ++x) {
             rows[y * to + x] = blurred(&sharp[y * from + x + margin], 1, kernel);
         }
     });
     seen.y.resize(to * seen.height);
     parallel_for(0, seen.height, [&](std::size_t y) {
-        require_going(work);
+        throw_if_stopped(work);
         for (std::size_t x = 0; x < to; ++x) {
             seen.y[y * to + x] = first + blurred(&rows[(y + margin) * to + x],
                                                  static_cast<std::ptrdiff_t>(to), kernel);
@@ -257,7 +257,7 @@ void transform(std::vector<Complex>& values, int width, int height, bool forward
     Eigen::FFT<double> fft;
     std::vector<Complex> line, result;
     const auto along = [&](std::size_t first, std::size_t stride, int count) {
-        require_going(work);
+        throw_if_stopped(work);
         line.resize(count);
         for (int i = 0; i < count; ++i) line[i] = values[first + stride * i];
         if (forward) {
@@ -322,7 +322,7 @@ Graininess graininess(const PanelPicture& a, const PanelPicture& b, const Viewin
     const double per_degree = mm_per_degree(viewing);
     const double luminance = luminance_cd_m2(viewing, result.mean_y);
     for (int y = 0; y < a.height; ++y) {
-        require_going(work);
+        throw_if_stopped(work);
         for (int x = 0; x < a.width; ++x) {
             const double u = cycles(x, a.width) / (a.width * a.pixel_mm) * per_degree;
             const double v = cycles(y, a.height) / (a.height * a.pixel_mm) * per_degree;

@@ -163,18 +163,20 @@ Parts by_nacre(double diameter_um, double tilt_deg) {
             // The interface that light crosses in truth over the one of the paint that is asked.
             const auto told = [&](const bsdf::LeaningFlakes::Lean& frame, const auto& part) {
                 const Vec3f i = seen_flat(frame, in), o = seen_flat(frame, out);
-                const bsdf::ScatteredAgain again = flat->scattered_again(i, o);
+                const bsdf::MultiplyScattered again = flat->multiply_scattered(i, o);
                 return double{part(again)[0]} * passes(wi.z) * passes(wo.z) /
                        (passes(i.z) * passes(o.z));
             };
-            const double unreturned =
-                told(lean, [](const bsdf::ScatteredAgain& a) { return a.unreturned; });
-            const double returned =
-                told(twice, [](const bsdf::ScatteredAgain& a) { return a.all - a.unreturned; });
+            const double no_internal_reflection = told(
+                lean, [](const bsdf::MultiplyScattered& a) { return a.no_internal_reflection; });
+            const double returned = told(twice, [](const bsdf::MultiplyScattered& a) {
+                return a.all - a.no_internal_reflection;
+            });
             const double flux = std::numbers::pi / kPoints;
-            sum[kUnreturned] += flux * unreturned;
+            sum[kUnreturned] += flux * no_internal_reflection;
             sum[kReturned] += flux * returned;
-            sum[kOnce] += flux * (double{leaning.eval(wi, wo)[0]} - unreturned - returned);
+            sum[kOnce] +=
+                flux * (double{leaning.eval(wi, wo)[0]} - no_internal_reflection - returned);
         }
     }
     return sum;

@@ -300,7 +300,7 @@ MediumGrid::MediumGrid(const paint::Recipe& recipe, std::vector<double> waveleng
         const std::size_t count = std::min<std::size_t>(kLanes, wavelengths_nm_.size() - first);
         media_.emplace_back(recipe, std::span(wavelengths_nm_).subspan(first, count), &work);
         work.add(static_cast<double>(count));
-        work.require_going("computing the films of a flake");
+        work.throw_if_stopped("computing the films of a flake");
     }
 }
 

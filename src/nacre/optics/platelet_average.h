@@ -106,7 +106,7 @@ class PlateletAverage {
         std::vector<ComplexLanes> w;
         Lanes lanes;
         for (std::size_t b = 0; b < blocks_.size(); ++b) {
-            require_going();
+            throw_if_stopped();
             for (std::size_t f = 0; f < films_.size(); ++f) {
                 rules[f] = &rules_.at({f, counts_[i * blocks_.size() + b][f]});
             }
@@ -135,7 +135,7 @@ class PlateletAverage {
         std::vector<ComplexLanes> w;
         Lanes lanes;
         for (std::size_t b = 0; b < blocks_.size(); ++b) {
-            require_going();
+            throw_if_stopped();
             set_interfaces(lanes, cosine, blocks_[b]);
             for (std::size_t m = 0; m < members.size(); ++m) {
                 for (std::size_t f = 0; f < films_.size(); ++f) rules[f] = &members[m][f];
@@ -180,8 +180,8 @@ class PlateletAverage {
         bool core_transmits = true;  ///< the core is transparent and below its critical angle
     };
 
-    void require_going() const {
-        if (work_) work_->require_going("computing the films of a flake");
+    void throw_if_stopped() const {
+        if (work_) work_->throw_if_stopped("computing the films of a flake");
     }
 
     double thinnest_core_nm() const {
@@ -295,7 +295,7 @@ class PlateletAverage {
             use(above, weight);
             return;
         }
-        require_going();  // up to a million combinations of thicknesses follow
+        throw_if_stopped();  // up to a million combinations of thicknesses follow
         const ThicknessRule& rule = *rules[film];
         for (std::size_t i = 0; i < rule.weights.size(); ++i) {
             const ComplexLanes& e = lanes.round_trip[film][i];

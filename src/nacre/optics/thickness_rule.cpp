@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "nacre/core/dense.h"
+#include "nacre/core/lru_cache.h"
 #include "nacre/core/quadrature.h"
-#include "nacre/core/recent_results.h"
 
 namespace nacre::optics {
 
@@ -138,7 +138,7 @@ ThicknessRule thickness_rule(double mean_nm, const ThicknessSpread& spread, int 
     const auto [lo, hi] = thickness_range(mean_nm, spread);
     const double lowest = lo > 0 ? -kNormalCut : -mean_nm / spread.standard_deviation_nm;
     // A film that is moved has the law that it had, unless thickness 0 cuts it.
-    static RecentResults<UnitLaw, Quadrature> recent(256);
+    static LruCache<UnitLaw, Quadrature> recent(256);
     const auto unit = recent.get({spread.law, lowest, n}, [&] {
         return gauss_rule({spread.law, lowest, n});
     });

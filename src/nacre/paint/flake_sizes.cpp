@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "nacre/core/error.h"
-#include "nacre/core/recent_results.h"
+#include "nacre/core/lru_cache.h"
 
 namespace nacre::paint {
 namespace {
@@ -62,7 +62,7 @@ using Medians = std::array<double, FlakeSizes::kSizes>;
 /// Of equally probable parts of the standard normal law from `lo` to kCut. They are kept, as they take
 /// half a millisecond and whoever moves another number of the paint asks for them again and again.
 std::shared_ptr<const Medians> normal_medians(double lo) {
-    static RecentResults<double, Medians> recent(64);
+    static LruCache<double, Medians> recent(64);
     return recent.get(lo, [lo] {
         const double below = normal_below(lo), inside = normal_below(kCut) - below;
         Medians medians;

@@ -220,7 +220,7 @@ Spectrum scaled(const Spectrum& spectrum, double factor) {
     return Spectrum(spectrum.wavelengths_nm(), std::move(values));
 }
 
-std::optional<PigmentAmount> stated(const PigmentShare& share) {
+std::optional<PigmentAmount> stated(const OptionalPigmentAmount& share) {
     if (const auto* volume = std::get_if<PigmentVolume>(&share)) return *volume;
     if (const auto* mass = std::get_if<PigmentMass>(&share)) return *mass;
     return std::nullopt;

@@ -119,14 +119,14 @@ struct PigmentUnstated {
 };
 /// Where an amount is stated, coefficients are those of a volume fraction of 1, and the layer's are
 /// in proportion to its own.
-using PigmentShare = std::variant<PigmentUnstated, PigmentVolume, PigmentMass>;
+using OptionalPigmentAmount = std::variant<PigmentUnstated, PigmentVolume, PigmentMass>;
 
 /// A pigment by its coefficients; it scatters by Henyey-Greenstein.
 struct PigmentCoefficients {
     spectra::Spectrum scattering_per_mm = 0.0;
     spectra::Spectrum absorption_per_mm = 0.0;
     double anisotropy = 0;  ///< g, in (-1, 1)
-    PigmentShare amount = {};
+    OptionalPigmentAmount amount = {};
 
     friend bool operator==(const PigmentCoefficients&, const PigmentCoefficients&) = default;
 };
@@ -143,7 +143,7 @@ struct KubelkaMunk {
 struct PigmentKubelkaMunk {
     KubelkaMunk constants;
     double anisotropy = 0;
-    PigmentShare amount = {};
+    OptionalPigmentAmount amount = {};
 
     /// Those that diffuse light finds alike where it is scattered rather than absorbed:
     /// K = 2 sigma_a, S = 3/4 (1 - g) sigma_s.
@@ -282,7 +282,7 @@ void require_no_lean(const Recipe& recipe, std::string_view what);
 
 }  // namespace nacre::paint
 
-// Bounds that other rooms need too; those of every key: paint/recipe_description.cpp.
+// Bounds that other folders use too; those of every key: paint/recipe_description.cpp.
 
 namespace nacre::paint::limits {
 

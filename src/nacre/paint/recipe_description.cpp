@@ -421,7 +421,7 @@ constexpr Field kAnisotropy{.key = "anisotropy",
                                 "[henyey-greenstein-1941]",
                             .words = "g = {}"};
 
-void describe_share(Visitor& visit, PigmentShare& amount) {
+void describe_share(Visitor& visit, OptionalPigmentAmount& amount) {
     visit(
         {.each = {{"", "goes with mass_fraction"}, {kVolumeKey}, {kMassKey}}, .both = kAmountTwice},
         amount);

@@ -105,7 +105,7 @@ CompiledScene::CompiledScene(const SceneDescription& description, const PaintTab
       device_(rtcNewDevice(nullptr), [](RTCDeviceTy* d) { rtcReleaseDevice(d); }),
       scene_(nullptr, [](RTCSceneTy* s) { rtcReleaseScene(s); }) {
     embree::check(device_.get(), "starting");
-    for (const auto& material : materials) has_panes_ |= material->lets_light_straight_through();
+    for (const auto& material : materials) has_panes_ |= material->has_null_transmission();
     scene_.reset(rtcNewScene(device_.get()));
     rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_HIGH);
     for (const Shape& shape : description.shapes) {
@@ -340,7 +340,7 @@ FloatLanes CompiledScene::transmittance(Ray ray, float distance_mm,
         if (!hit || hit->distance_mm >= distance_mm) return left;
         if (hit->rectangle >= 0) return FloatLanes{};
         const Vec3f wi = Frame::around(hit->shading_normal).to_local(-ray.direction);
-        left *= bound[hit->material]->straight_through(wi);
+        left *= bound[hit->material]->null_transmission(wi);
         if (!(lane_max(left) > 0)) return left;
         distance_mm -= hit->distance_mm;
         ray.origin_mm = hit->origin_behind();

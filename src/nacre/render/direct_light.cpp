@@ -20,12 +20,12 @@ constexpr float kMinGuess = 0.01f;
 
 /// How light samples are weighed against those of the surface.
 struct Weighing {
-    bool combined;       ///< with samples of the surface
-    float narrow_light;  ///< LocalSurface::narrow_light
-    float many;          ///< as how many samples that of the lights counts
+    bool combined;           ///< with samples of the surface
+    float narrow_light_pdf;  ///< LocalSurface::narrow_light_pdf
+    float many;              ///< as how many samples that of the lights counts
 
     bool applies(const LightDirection<float>& light) const {
-        return combined && !light.delta && !(light.density > narrow_light);
+        return combined && !light.delta && !(light.density > narrow_light_pdf);
     }
 };
 
@@ -36,9 +36,9 @@ struct Chosen {
     float scale;  ///< 1 / pdf of one candidate; of several, what takes its place
 };
 
-std::optional<Chosen> one_candidate(const CompiledScene& scene, const Pass& pass, const Meeting& at,
-                                    const LocalSurface& surface, const VertexNumbers& u,
-                                    bool alone) {
+std::optional<Chosen> one_candidate(const CompiledScene& scene, const Pass& pass,
+                                    const SurfaceInteraction& at, const LocalSurface& surface,
+                                    const VertexNumbers& u, bool alone) {
     const auto light = scene.lights->sample(at.hit.position_mm, u.which_light, u.light,
                                             pass.emission.data(), alone);
     if (!light) return std::nullopt;
@@ -77,9 +77,10 @@ int choose(const FloatLanes& weight, const IntLanes& order, float target) {
     return first_lane(up_to == lane_max(up_to));
 }
 
-std::optional<Chosen> best_of_eight(const CompiledScene& scene, const Pass& pass, const Meeting& at,
-                                    const LocalSurface& surface, const PathSampler::Threes& u,
-                                    float which, bool alone, const Weighing& weighing) {
+std::optional<Chosen> best_of_eight(const CompiledScene& scene, const Pass& pass,
+                                    const SurfaceInteraction& at, const LocalSurface& surface,
+                                    const PathSampler::Threes& u, float which, bool alone,
+                                    const Weighing& weighing) {
     const LightDirections lights = scene.lights->directions(
         at.hit.position_mm, u.choice, {u.x, u.y}, pass.emission.data(), alone);
     const Vec3Lanes wo = at.frame.to_local(lights.direction);
@@ -93,7 +94,7 @@ std::optional<Chosen> best_of_eight(const CompiledScene& scene, const Pass& pass
     FloatLanes target = lights.brightness * (pdf + kMinGuess * slant);
     if (weighing.combined) {
         const FloatLanes ratio = pdf / (weighing.many * lights.pdf);
-        const IntLanes alone_there = lights.delta | (lights.density > weighing.narrow_light);
+        const IntLanes alone_there = lights.delta | (lights.density > weighing.narrow_light_pdf);
         target = alone_there ? target : target / (1 + ratio * ratio);
     }
     const FloatLanes ratio = possible ? target / lights.pdf : FloatLanes{};
@@ -106,11 +107,11 @@ std::optional<Chosen> best_of_eight(const CompiledScene& scene, const Pass& pass
 
 }  // namespace
 
-WithMean direct_light(const CompiledScene& scene, const Pass& pass, const Meeting& at,
+WithMean direct_light(const CompiledScene& scene, const Pass& pass, const SurfaceInteraction& at,
                       LocalSurface& surface, const VertexNumbers& u, const PathSampler& sampler,
                       int depth, DirectLight strategy) {
     const float many = surface.light_samples();
-    const Weighing weighing{strategy == DirectLight::combined, surface.narrow_light, many};
+    const Weighing weighing{strategy == DirectLight::combined, surface.narrow_light_pdf, many};
     const bool alone = strategy == DirectLight::light_sampling;
     const std::optional<Chosen> chosen =
         surface.among_candidates
@@ -122,9 +123,9 @@ WithMean direct_light(const CompiledScene& scene, const Pass& pass, const Meetin
     if (!chosen) return {};
     const LightSample& light = chosen->light;
     const Vec3f wi = at.wi, wo = chosen->wo;
-    const bool narrow = light.density > surface.narrow_light;
+    const bool narrow = light.density > surface.narrow_light_pdf;
     const bool weighed = weighing.applies(light);
-    if (surface.patch) surface.patch->narrow_light = narrow ? light.density : 0.0f;
+    if (surface.patch) surface.patch->narrow_light_pdf = narrow ? light.density : 0.0f;
     const bsdf::BsdfValue value =
         weighed ? surface.evaluate(wi, wo) : bsdf::BsdfValue{surface.eval(wi, wo)};
     const FloatLanes mean = surface.smooth_too ? surface.bsdf.eval(wi, wo) : value.f;
@@ -135,7 +136,7 @@ WithMean direct_light(const CompiledScene& scene, const Pass& pass, const Meetin
         reflected.shown +=
             surface.asked_weight * surface.bsdf.flakes_at(*surface.patch, wi, wo, pdf);
     }
-    if (surface.patch) surface.patch->narrow_light = 0;
+    if (surface.patch) surface.patch->narrow_light_pdf = 0;
     if (!(lane_max(reflected.shown) > 0 || lane_max(reflected.smooth) > 0)) return {};
     // Stop just short of the light, whose own rectangle is part of the scene.
     const FloatLanes arrives =

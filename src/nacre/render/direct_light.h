@@ -41,8 +41,8 @@ struct LocalSurface {
     std::optional<bsdf::Patch> patch;
     bool smooth_too = false;  ///< on a patch: the mean over the surface is wanted besides
     float asked_weight = 0;   ///< AskedPart::samples_per_asking, where flakes are asked
-    /// Beyond it light is left to light samples (BoundBsdf::narrow_light).
-    float narrow_light = std::numeric_limits<float>::infinity();
+    /// Beyond it light is left to light samples (BoundBsdf::narrow_light_pdf).
+    float narrow_light_pdf = std::numeric_limits<float>::infinity();
 
     /// Whether the light sample is chosen among several: where the camera looks, as most of what is
     /// seen is seen there.
@@ -88,7 +88,7 @@ struct LocalSurface {
 };
 
 /// Where a path meets a surface.
-struct Meeting {
+struct SurfaceInteraction {
     const Hit& hit;
     const Frame& frame;
     Vec3f wi;
@@ -101,7 +101,7 @@ struct Meeting {
 /// proportion to a guess of what it gives, over the density with which it was drawn. The mean of
 /// those ratios takes the place of the one candidate's.                   [talbot-2005]
 /// @param depth  surfaces met before
-WithMean direct_light(const CompiledScene& scene, const Pass& pass, const Meeting& at,
+WithMean direct_light(const CompiledScene& scene, const Pass& pass, const SurfaceInteraction& at,
                       LocalSurface& surface, const VertexNumbers& u, const PathSampler& sampler,
                       int depth, DirectLight strategy);
 

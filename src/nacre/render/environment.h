@@ -52,7 +52,7 @@ struct DistantDisk {
 struct CompiledEnvironment {
     std::unique_ptr<const EnvironmentRadiance> radiance;
     std::optional<DistantDisk> sun;
-    int table_columns = 1, table_rows = 1;  ///< size of the DirectionTable that samples it
+    int table_columns = 1, table_rows = 1;  ///< size of the DirectionDistribution that samples it
     /// Points around the horizon among which no detail is lost; 0: there is none, as in a sky.
     int detail = 0;
 };

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "nacre/render/direction_table.h"
+#include "nacre/render/direction_distribution.h"
 
 namespace nacre::render {
 namespace {
@@ -48,7 +48,7 @@ std::vector<CellSums> sums_of(const EnvironmentRadiance& environment, int detail
         for (int i = 0; i < across * down; ++i) {
             const float u = (cell % wide + (i % across + 0.5f) / across) / wide;
             const float v = (cell / wide + (i / across + 0.5f) / down) / high;
-            const Vec3f d = DirectionTable::from_square(Vec2f{u, v});
+            const Vec3f d = DirectionDistribution::from_square(Vec2f{u, v});
             // Solid angle of the point: the map keeps areas in height alone.
             const float round = std::sqrt(d.x * d.x + d.y * d.y);
             const double bend = round > 0 ? (std::abs(d.x) + std::abs(d.y)) / round : 1.0f;
@@ -84,7 +84,7 @@ EnvironmentCells::EnvironmentCells(const EnvironmentRadiance& environment, int d
             for (int i = 0; i < 3; ++i) {
                 cell.mean[i] = static_cast<float>(s.coefficients[i] / s.weight);
             }
-            cell.has_speck = s.brightest * s.weight > kSpeck * s.luminance;
+            cell.has_firefly = s.brightest * s.weight > kFireflyRatio * s.luminance;
             level.cells.push_back(cell);
         }
         levels_.push_back(std::move(level));
@@ -100,11 +100,11 @@ const Coefficients* EnvironmentCells::spread(Vec3f direction, float solid_angle)
         ++level;
     }
     const int wide = kCoarseColumns * level->scale, high = kCoarseRows * level->scale;
-    const Vec2f at = DirectionTable::to_square(direction);
+    const Vec2f at = DirectionDistribution::to_square(direction);
     const int column = std::min(static_cast<int>(at.x * wide), wide - 1);
     const int row = std::min(static_cast<int>(at.y * high), high - 1);
     const Cell& cell = level->cells[std::size_t(row) * wide + column];
-    return cell.has_speck ? &cell.mean : nullptr;
+    return cell.has_firefly ? &cell.mean : nullptr;
 }
 
 }  // namespace nacre::render

@@ -7,27 +7,26 @@
 
 namespace nacre::render {
 
-/// Means of an environment over cells of the sphere, coarse to fine, for light of which a sample stands
-/// for more than its own direction: what is small and bright in there would be met by few samples or
-/// none, as a speck.
+/// A mip pyramid of an environment over cells of the sphere, for samples that stand for a solid angle:
+/// small bright details, which few of them meet, would be fireflies.
 class EnvironmentCells {
  public:
     /// @param detail  CompiledEnvironment::detail, > 0
     EnvironmentCells(const EnvironmentRadiance& environment, int detail);
 
     /// The mean over the cell about the direction that is the smallest of at least this solid angle,
-    /// if somewhere in it is more than kSpeck times its mean; null if it is even enough, or smaller
+    /// if somewhere in it is more than kFireflyRatio times its mean; null if it is even enough, or smaller
     /// than cells get: there the environment stays as it is. Over the sphere, at one solid angle, the
     /// light is as much as without cells.
     const EnvironmentRadiance::Coefficients* spread(Vec3f direction, float solid_angle) const;
-    static constexpr float kSpeck = 8;
+    static constexpr float kFireflyRatio = 8;
 
  private:
     struct Cell {
         EnvironmentRadiance::Coefficients mean{};
-        bool has_speck = false;
+        bool has_firefly = false;
     };
-    /// Of DirectionTable's map, `scale` times as many as the coarsest across and down.
+    /// Of DirectionDistribution's map, `scale` times as many as the coarsest across and down.
     struct Level {
         int scale;
         std::vector<Cell> cells;

@@ -21,8 +21,8 @@ class Film {
     /// Has the sums of a pixel brought into the cache, for an add() that comes later.
     void prefetch(std::size_t pixel) const;
     void add(std::size_t pixel, const Pass& pass, const PathLight& path);
-    /// Counts the pass as done by every pixel. A last pass may lack it: it counts for the pixels
-    /// that it got to.
+    /// Ends a pass over all pixels. Not called after a partial one, which develop() counts for the
+    /// pixels that it reached.
     void end_pass();
 
     /// The picture so far.

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "nacre/core/order_free_sum.h"
+#include "nacre/core/reproducible_sum.h"
 #include "nacre/core/vec.h"
 
 namespace nacre::render {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "nacre/bsdf/coat_here.h"
+#include "nacre/bsdf/local_coat.h"
 #include "nacre/render/direct_light.h"
 
 namespace nacre::render {
@@ -118,7 +118,7 @@ struct Branch {
     float surface_pdf = 0;
     bool weighable = false;
     /// Light of a larger density has been left to the light samples of the last surface.
-    float narrow_light = std::numeric_limits<float>::infinity();
+    float narrow_light_pdf = std::numeric_limits<float>::infinity();
     float light_samples = 1;         ///< as how many that of the last surface is weighed
     std::uint32_t first_vertex = 1;  ///< of the sampler: vertex of depth 0
     /// Solid angle that samples of lobes, the widest since the camera, stood for.
@@ -180,9 +180,9 @@ class PathTracer {
         return by_pixel < kMaxSpread ? by_pixel : kMaxSpread;
     }
     /// Of light that rays meet, of what light samples find with density `pdf`.
-    /// @param surface_pdf, narrow_light, light_samples  as of a Branch
+    /// @param surface_pdf, narrow_light_pdf, light_samples  as of a Branch
     template <class T>
-    T weight(const T& surface_pdf, float narrow_light, float light_samples,
+    T weight(const T& surface_pdf, float narrow_light_pdf, float light_samples,
              const LightPdfs<T>& pdf) const {
         switch (options_.direct_light) {
             case DirectLight::surface_sampling:
@@ -190,14 +190,14 @@ class PathTracer {
             case DirectLight::light_sampling:
                 return T{};
             default:
-                return pdf.density > narrow_light
+                return pdf.density > narrow_light_pdf
                            ? T{}
                            : power_heuristic(surface_pdf, T(light_samples * pdf.value()));
         }
     }
     float weight(const Branch& branch, const LightPdf& pdf) const {
         if (!branch.weighable) return 1.0f;
-        return weight(branch.surface_pdf, branch.narrow_light, branch.light_samples, pdf);
+        return weight(branch.surface_pdf, branch.narrow_light_pdf, branch.light_samples, pdf);
     }
     void gather(const Branch& branch, const WithMean& light) {
         path_.radiance += branch.of_lights * branch.throughput.shown * light.shown;
@@ -253,7 +253,7 @@ LocalSurface PathTracer::surface_at(const Hit& hit, Vec3f wi, const Branch& bran
         surface.patch->footprint.tilt[1] = asked_.tilt.y / widened;
         surface.asked_weight = asked_.samples_per_asking;
         if (options_.direct_light == DirectLight::combined) {
-            surface.narrow_light = surface.bsdf.narrow_light(wi);
+            surface.narrow_light_pdf = surface.bsdf.narrow_light_pdf(wi);
         }
     } else {
         surface.patch = scene_.patch(hit, {}, options_.footprint_pixels * edges.edge_mm[0],
@@ -290,7 +290,7 @@ void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
         const Vec3Lanes direction = frame.to_world(flakes[n].wo);
         const FloatLanes light = scene_.lights->brightness(
             hit.position_mm, direction, [&](const LightPdfs<FloatLanes>& of_light) {
-                return weight(flakes[n].pdf, surface.narrow_light, 1.0f, of_light);
+                return weight(flakes[n].pdf, surface.narrow_light_pdf, 1.0f, of_light);
             });
         const IntLanes leaves = dot(direction, splat(hit.geometric_normal)) > 0.0f;
         const FloatLanes of_each = leaves ? flakes[n].strength : FloatLanes{};
@@ -329,7 +329,7 @@ void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
                      .of_surfaces = of_surfaces,
                      .surface_pdf = flake.pdf,
                      .weighable = true,
-                     .narrow_light = surface.narrow_light,
+                     .narrow_light_pdf = surface.narrow_light_pdf,
                      .first_vertex = vertex + 1,
                      .lobe = lobe_of(flake.pdf)};
     };
@@ -376,7 +376,7 @@ void PathTracer::follow(Branch& branch) {
         branch.throughput.smooth *= branch.of_surfaces;
         branch.of_lights = branch.of_surfaces = 1;
         if (bound(*hit).transmits()) {
-            const FloatLanes left = bound(*hit).passed(hit->distance_mm);
+            const FloatLanes left = bound(*hit).transmittance(hit->distance_mm);
             branch.throughput.shown *= left;
             branch.throughput.smooth *= left;
         }
@@ -394,11 +394,11 @@ void PathTracer::follow(Branch& branch) {
             branch.throughput.smooth *= 1 / branch.followed;
             branch.followed = 1;
         }
-        const bsdf::CoatHere coat(bound(*hit),
-                                  {.deviation = scene_.coat_deviation(*hit),
-                                   .lean = scene_.flake_lean(*hit),
-                                   .slope = scene_.coat_slope(*hit)},
-                                  wi);
+        const bsdf::LocalCoat coat(bound(*hit),
+                                   {.deviation = scene_.coat_deviation(*hit),
+                                    .lean = scene_.flake_lean(*hit),
+                                    .slope = scene_.coat_slope(*hit)},
+                                   wi);
         LocalSurface surface = surface_at(*hit, wi, branch, coat.surface());
         surface.among_candidates = branch.differential.has_value();
         if (branch.depth == 0 && !surface.shows_flakes()) {
@@ -450,7 +450,7 @@ bool PathTracer::go_on(Branch& branch, const Hit& hit, const Frame& frame, Vec3f
         goes_on |= survives(throughput.smooth, by_lot, roulette);
     }
     if (!goes_on) return false;
-    if (sample.kind == bsdf::SampleKind::straight) {
+    if (sample.kind == bsdf::SampleKind::null) {
         // The last surface still knows with which density the ray was sampled.
         branch.straight_mm = hit.distance_mm;
         branch.ray.origin_mm = hit.origin_behind();
@@ -476,7 +476,7 @@ bool PathTracer::go_on(Branch& branch, const Hit& hit, const Frame& frame, Vec3f
     branch.surface_pdf = sample.pdf;
     branch.weighable = sample.kind == bsdf::SampleKind::density;
     branch.light_samples = surface.light_samples();
-    branch.narrow_light = surface.narrow_light;
+    branch.narrow_light_pdf = surface.narrow_light_pdf;
     branch.ray = {behind ? hit.origin_behind() : scene_.origin(hit, exit_mm), direction};
     return true;
 }

@@ -43,8 +43,8 @@ std::vector<EnvironmentRadiance::Coefficients> colours_of(const EnvironmentRadia
     Coefficients all{};
     for (int i = 0; i < kPoints * kPoints; ++i) {
         const int column = i % kPoints, row = i / kPoints;
-        const Coefficients here = environment.coefficients(
-            DirectionTable::from_square(Vec2f{(column + 0.5f) / kPoints, (row + 0.5f) / kPoints}));
+        const Coefficients here = environment.coefficients(DirectionDistribution::from_square(
+            Vec2f{(column + 0.5f) / kPoints, (row + 0.5f) / kPoints}));
         Coefficients& cell = sums[row / kSide * kColourCells + column / kSide];
         for (std::size_t k = 0; k < here.size(); ++k) {
             cell[k] += here[k];
@@ -86,14 +86,14 @@ LightSet::LightSet(const std::vector<Light>& lights, const std::optional<Environ
         CompiledEnvironment compiled = compile_environment(*environment, basis);
         environment_ = std::move(compiled.radiance);
         const auto luminance = [this](Vec3f d) { return environment_->luminance(d); };
-        const DirectionTable& all =
+        const DirectionDistribution& all =
             alone_.environment.emplace(compiled.table_columns, compiled.table_rows, luminance);
         const float mean = all.mean_brightness();
         add(Kind::environment, 0, std::numbers::pi * mean);
         constexpr float kMinOverMean = 1e-3f;
         least_brightness_ = mean > 0 ? kMinOverMean * mean : 1.0f;
         colours_ = colours_of(*environment_);
-        const DirectionTable& peaks = beside_.environment.emplace(
+        const DirectionDistribution& peaks = beside_.environment.emplace(
             compiled.table_columns, compiled.table_rows,
             [&](Vec3f d) { return std::max(0.0f, luminance(d) - mean); });
         // What is left of an even sky is rounding.
@@ -323,7 +323,7 @@ FloatLanes LightSet::sum_per_luminance(const Entry& entry, const Vec3Lanes& dire
                 return lane_sum(environment_->combined(colours_[cell], basis));
             };
             if (colours_.size() == 1) return splat(sum(0));
-            const Vec2<FloatLanes> square = DirectionTable::to_square(direction);
+            const Vec2<FloatLanes> square = DirectionDistribution::to_square(direction);
             const auto along = [](const FloatLanes& u) {
                 return min_lanes(whole(u * static_cast<float>(kColourCells)),
                                  IntLanes{} + (kColourCells - 1));

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "nacre/render/direction_table.h"
+#include "nacre/render/direction_distribution.h"
 #include "nacre/render/environment.h"
 #include "nacre/render/environment_cells.h"
 
@@ -71,7 +71,7 @@ class LightSet {
     /// @param alone  whether samples of surfaces find no light, so that these must find all of it
     std::optional<LightSample> sample(Vec3f point_mm, float u_light, Vec2f u,
                                       const FloatLanes* basis, bool alone) const;
-    /// Eight draws, without what shines there, which look_at() tells of one.
+    /// Eight draws without radiance; look_at() gives one of them with it.
     LightDirections directions(Vec3f point_mm, FloatLanes u_light, Vec2<FloatLanes> u,
                                const FloatLanes* basis, bool alone) const;
     LightSample look_at(const LightDirections& eight, int lane, const FloatLanes* basis,
@@ -130,7 +130,7 @@ class LightSet {
         }
 
         std::vector<Entry> entries;
-        std::optional<DirectionTable> environment;
+        std::optional<DirectionDistribution> environment;
         std::vector<float> rectangle_probability;
         float environment_probability = 0;
         float dimmest = 0;  ///< luminance of an environment over which its table is
@@ -168,7 +168,7 @@ class LightSet {
     std::vector<Directional> directionals_;
     std::unique_ptr<const EnvironmentRadiance> environment_;
     float least_brightness_ = 0;  ///< of it: its cells may miss a detail
-    /// Of the environment, per luminance, in cells of DirectionTable::to_square(); a single one
+    /// Of the environment, per luminance, in cells of DirectionDistribution::to_square(); a single one
     /// where the colour is the same all over.
     std::vector<EnvironmentRadiance::Coefficients> colours_;
     std::optional<DistantDisk> sun_;

@@ -111,8 +111,8 @@ void check(const RenderOptions& options, const Share& share);
 RenderResult render(const Scene& scene, const RenderOptions& options,
                     const Progress& progress = {});
 
-/// Of a multiple of so many samples, as they are rendered one after the other, as large a fraction asks
-/// flakes (AskedPart) as of all: with fewer, a picture has up to so many times their light.
+/// After each multiple of so many samples as large a fraction of those rendered has asked flakes
+/// (AskedPart) as of all. A picture of fewer has up to so many times their light.
 int samples_between_asking(int samples_per_pixel);
 
 /// How many samples a pixel has of a share.
@@ -121,7 +121,7 @@ int samples_of(const RenderOptions& options, const Share& share);
 /// Renders one share of a picture's samples. The sums of all shares, added in any order, develop()
 /// to the picture that render() makes, bit for bit in every channel: each sample is the one that it
 /// would be there, with the flakes of its part of the pixel, and sums of light are exact
-/// (core/order_free_sum.h).
+/// (core/reproducible_sum.h).
 /// @throws DomainError, Error as check(); Stopped if `progress` asks to stop
 RenderSums render_share(const Scene& scene, const RenderOptions& options, const Share& share,
                         const Progress& progress = {});

@@ -21,7 +21,7 @@
 //                            pixel; white, albedo_white, bin_weights over the passes
 //   /probe                   the same of the pixels that are rendered twice for the noise
 //
-// Sums are whole numbers of steps, so that adding them rounds nothing (core/order_free_sum.h): of
+// Sums are whole numbers of steps, so that adding them rounds nothing (core/reproducible_sum.h): of
 // light 2^-48 in 128 bits, as a low and a high word of 64; of normals 2^-38 in 64 bits.
 
 namespace nacre::render {

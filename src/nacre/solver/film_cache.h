@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "nacre/core/recent_results.h"
+#include "nacre/core/lru_cache.h"
 #include "nacre/optics/thin_film.h"
 #include "nacre/paint/flake_table.h"
 
@@ -37,7 +37,7 @@ class FilmCache {
     };
 
     int max_cosines_;
-    RecentResults<Film, paint::FlakeTable> tables_;
+    LruCache<Film, paint::FlakeTable> tables_;
 };
 
 }  // namespace nacre::solver

@@ -153,7 +153,7 @@ void FourierKernel::add_flakes(const FlakeMedium& flake, const Directions& d,
                                const ActiveNodes& active, SharedProgress* work) {
     const int blocks = static_cast<int>(same_.size());
     parallel_for(0, d.size(), [&](int i) {
-        if (work) work->require_going(kSolving);
+        if (work) work->throw_if_stopped(kSolving);
         thread_local PairScratch scratch;
         const double s_i = std::sqrt((1 - d.mu[i]) * (1 + d.mu[i]));
         for (int j = 0; j <= i; ++j) {
@@ -222,7 +222,7 @@ void FourierKernel::add_legendre(const std::vector<T>& series, const DoubleLanes
     const int degrees = static_cast<int>(series.size());
     const int end = std::max(orders_.begin, std::min(orders_.end, degrees));
     parallel_for(orders_.begin, end, [&](int l) {
-        if (work) work->require_going(kSolving);
+        if (work) work->throw_if_stopped(kSolving);
         const int first = active.first(l), m = d.size() - first;
         const int terms = degrees - l;
         std::vector<double> lambda(static_cast<std::size_t>(m) * terms);

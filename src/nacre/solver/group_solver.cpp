@@ -67,7 +67,7 @@ class GroupSolver {
         for (const LayerMedium& layer : medium_.layers) {
             std::vector<Losses>& by_node = losses.emplace_back(directions_.size());
             parallel_for(0, directions_.size(), [&](int i) {
-                work_.require_going(kSolving);
+                work_.throw_if_stopped(kSolving);
                 by_node[i] =
                     solver::losses(layer, directions_.mu[i], 0, static_cast<int>(blocks_.size()));
             });
@@ -311,7 +311,7 @@ class GroupSolver {
             if (interface_) known_.single[l].resize(pairs * blocks);
         }
         parallel_for(0, orders.size() * blocks, [&](std::size_t task) {
-            work_.require_going(kSolving);
+            work_.throw_if_stopped(kSolving);
             const int l = orders[task / blocks];
             const std::size_t b = task % blocks;
             const std::size_t pairs = known_.multiple[l].size() / blocks;

@@ -5,7 +5,7 @@
 #include <memory>
 #include <numbers>
 
-#include "nacre/core/recent_results.h"
+#include "nacre/core/lru_cache.h"
 #include "nacre/paint/beckmann.h"
 #include "nacre/paint/expansion.h"
 #include "nacre/paint/normal_weights.h"
@@ -50,7 +50,7 @@ std::shared_ptr<const optics::ParticleOptics> recent_particle_optics(
     };
     // Of one wavelength there are some 10 kB.
     constexpr std::size_t kMaxWavelengths = 4096;
-    static RecentResults<Particles, optics::ParticleOptics> recent(
+    static LruCache<Particles, optics::ParticleOptics> recent(
         kMaxWavelengths,
         [](const optics::ParticleOptics& optics) { return optics.scattering_per_um.size(); });
     return recent.get({spheres, volume_fraction, binder, wavelengths}, [&] {

@@ -220,7 +220,7 @@ MultipleScattering compress(std::vector<double> exit_angle, std::vector<int> fir
         largest.segment(at, n) = all.middleRows(at, n).cwiseAbs().rowwise().maxCoeff();
     });
     std::array<std::vector<double>, 2> scales = {pair_scales(out, largest, 1),
-                                                 pair_scales(out, largest, kFineShare)};
+                                                 pair_scales(out, largest, kFineErrorFraction)};
     const Eigen::MatrixXd spectra = right_singular_vectors(typical_rows(all, scales[0]));
     // Half of the tolerance is for the rank, half for rounding.
     const auto [coarse, fine] = ranks_needed(all, spectra, scales, 0.5 * tolerance);

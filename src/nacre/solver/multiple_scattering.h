@@ -68,14 +68,14 @@ inline constexpr double kBlackBrdf = 1e-8;
 /// How much finer than the tolerance orders are kept. At its peak the BRDF is a sum of many orders,
 /// larger than each of them by far, and errs by less; but at dark angles beside a lobe orders cancel,
 /// and the errors of all of them show.
-inline constexpr double kFineShare = 0.01;
+inline constexpr double kFineErrorFraction = 0.01;
 /// The most coefficients that are kept so finely, 1 MB and a quarter of that in a file; flakes of
 /// alpha < 0.03 with fringes would have more.
 inline constexpr int kMaxFineCoefficients = 1 << 18;
 
 /// Values [pair][wavelength] in, compressed by truncating the spectral basis and rounding the
 /// coefficients. Errors are relative to the smaller of the largest values that a pair's two
-/// directions have, or kBlackBrdf. First tries an error of tolerance * kFineShare. If that takes
+/// directions have, or kBlackBrdf. First tries an error of tolerance * kFineErrorFraction. If that takes
 /// more than kMaxFineCoefficients, it keeps as many spectra as fit and accepts up to `tolerance`.
 /// If even `tolerance` needs more than fit, it exceeds the limit and rounds the coefficients to
 /// `tolerance`.

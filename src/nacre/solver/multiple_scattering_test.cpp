@@ -61,7 +61,7 @@ TEST(MultipleScattering, CompressionKeepsItsBound) {
             }
         }
         // Coefficients and basis are stored in single precision.
-        EXPECT_LE(worst, (kFineShare * tolerance + 5e-7) * example.peak()) << tolerance;
+        EXPECT_LE(worst, (kFineErrorFraction * tolerance + 5e-7) * example.peak()) << tolerance;
         // Of the first spectra: what is left out is half the tolerance.
         double worst_of_tables = 0;
         for (std::size_t p = 0; p < r.pair_count(); ++p) {
@@ -182,7 +182,7 @@ TEST(MultipleScattering, ManyPairsAreCompressedAlikeByAnyNumberOfThreads) {
                 worst, std::abs(reconstruct(r, p, w, r.rank()) - values[p * kWavelengths + w]));
         }
     }
-    EXPECT_LE(worst, (kFineShare * kTolerance + 5e-7) * 1.12);
+    EXPECT_LE(worst, (kFineErrorFraction * kTolerance + 5e-7) * 1.12);
 }
 
 TEST(MultipleScattering, DarkPairsKeepSpectraOfTheirOwn) {
@@ -208,7 +208,7 @@ TEST(MultipleScattering, DarkPairsKeepSpectraOfTheirOwn) {
     for (std::size_t p = 0; p < dark.size(); ++p) {
         for (int w = 0; w < kWavelengths; ++w) {
             EXPECT_NEAR(reconstruct(r, p, w, r.rank()), values[p * kWavelengths + w],
-                        (kFineShare * kTolerance + 5e-7) * (dark[p] ? 2 * kDark : 2))
+                        (kFineErrorFraction * kTolerance + 5e-7) * (dark[p] ? 2 * kDark : 2))
                 << p;
         }
     }

@@ -12,8 +12,8 @@
 #include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/lane_math.h"
+#include "nacre/core/lru_cache.h"
 #include "nacre/core/parallel.h"
-#include "nacre/core/recent_results.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/solver/directions.h"
 #include "nacre/solver/rough_interface_operators.h"
@@ -157,7 +157,7 @@ double RoughInterface::brdf(double theta_i, double theta_o, double phi) const {
 }
 
 std::shared_ptr<const RoughInterface> rough_interface(double ior, double alpha) {
-    static RecentResults<std::pair<double, double>, RoughInterface> interfaces(256);
+    static LruCache<std::pair<double, double>, RoughInterface> interfaces(256);
     return interfaces.get({ior, alpha}, [&] { return RoughInterface(ior, alpha); });
 }
 

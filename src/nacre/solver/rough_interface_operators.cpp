@@ -6,9 +6,9 @@
 
 #include "nacre/core/angles.h"
 #include "nacre/core/dense.h"
+#include "nacre/core/lru_cache.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/quadrature.h"
-#include "nacre/core/recent_results.h"
 
 namespace nacre::solver {
 
@@ -342,7 +342,7 @@ std::shared_ptr<const RoughInterfaceOperators> rough_interface_operators(
         double alpha;
         bool operator==(const Nodes&) const = default;
     };
-    static RecentResults<Nodes, RoughInterfaceOperators> operators(
+    static LruCache<Nodes, RoughInterfaceOperators> operators(
         std::size_t{64} << 20, [](const RoughInterfaceOperators& o) { return o.bytes(); });
     return operators.get({directions, active, alpha},
                          [&] { return RoughInterfaceOperators(directions, active, alpha); });

@@ -80,7 +80,7 @@ SolvedPaint solve(const paint::Recipe& recipe, const std::vector<double>& wavele
     SharedProgress asking(progress, 1);  // how much there is to do is not known yet
     asking.add(0);
     paint.medium = make_medium(recipe, wavelengths_nm, films, &asking);
-    asking.require_going(kSolving);
+    asking.throw_if_stopped(kSolving);
     solve_medium(paint, progress);
     return paint;
 }

@@ -64,7 +64,7 @@ class CoatTilt {
             const float cosine = std::max(mu, kMinSum), secant2 = 1 / (cosine * cosine);
             return k(cosine) * k(cosine) * secant2 * 0.25f * (1 + secant2 * secant2);
         };
-        // Next to no index step turns nothing.
+        // Above 0, as it divides below: an index of nearly 1 turns nothing.
         const float variance = std::max(roughness2_ * (of(mu_i) + of(mu_o)), 1e-12f);
         // Exact where the two coincide, pi/2 of the variance, and far apart, the variance itself.
         constexpr float kMore = std::numbers::pi_v<float> / 2 - 1;

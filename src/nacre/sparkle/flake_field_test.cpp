@@ -41,8 +41,8 @@ double relative_radiance(const FlakeField& field, const ObjectSpaceFootprint& pa
     static const auto view = std::make_unique<FlakeView>();
     field.look(patch, *view);
     double sum = 0;
-    const float background = view->for_each_answer(field.lobe(), slope, cosine,
-                                                   [&](int, float fraction) { sum += fraction; });
+    const float background = view->for_each_reflecting_flake(
+        field.lobe(), slope, cosine, [&](int, float fraction) { sum += fraction; });
     return background + sum;
 }
 

@@ -58,10 +58,10 @@ struct FlakeView {
     /// @param cosine    w_i . h
     /// @param coat_spread2  CoatTilt::spread2() of the two directions
     template <class Visit>
-    float for_each_answer(const DiffractionLobe& lobe, Vec2f slope, float cosine, Visit&& visit,
-                          float coat_spread2 = 0) const;
+    float for_each_reflecting_flake(const DiffractionLobe& lobe, Vec2f slope, float cosine,
+                                    Visit&& visit, float coat_spread2 = 0) const;
 
-    /// What for_each_answer() passes for one flake; 0 if it does not reflect.
+    /// What for_each_reflecting_flake() passes for one flake; 0 if it does not reflect.
     float fraction(const DiffractionLobe& lobe, Vec2f slope, float cosine, int flake,
                    float coat_spread2 = 0) const;
 
@@ -87,7 +87,7 @@ struct FlakeView {
                         lobes * std::sqrt(std::max(1 - bend, 0.25f) /
                                           std::max(1 - widening * widening * bend, 0.25f)));
     }
-    /// What for_each_answer() returns.
+    /// What for_each_reflecting_flake() returns.
     float background_at(const DiffractionLobe& lobe, float slope2, float cosine,
                         float coat_spread2) const {
         return 1 - (1 - background) * answer_factor(lobe, slope2, lobe.widening(1 + slope2, cosine),
@@ -142,8 +142,8 @@ inline constexpr float kSampledWidening = 1.1f;
 }  // namespace detail
 
 template <class Visit>
-float FlakeView::for_each_answer(const DiffractionLobe& lobe, Vec2f slope, float cosine,
-                                 Visit&& visit, float coat_spread2) const {
+float FlakeView::for_each_reflecting_flake(const DiffractionLobe& lobe, Vec2f slope, float cosine,
+                                           Visit&& visit, float coat_spread2) const {
     const float spread2 = lobe.spread2(coat_spread2);
     const float slope2 = slope.x * slope.x + slope.y * slope.y;
     const float scale = lobe.widening(1 + slope2, cosine);

@@ -108,7 +108,7 @@ class BoundGlass : public BoundBsdf {
     /// What is not reflected goes through.
     FloatLanes albedo(Vec3f wi) const override { return splat(wi.z > 0 ? 1.0f : 0.0f); }
     bool transmits() const override { return true; }
-    FloatLanes passed(float distance_mm) const override {
+    FloatLanes transmittance(float distance_mm) const override {
         if constexpr (!kFromBehind) return splat(1.0f);
         return exp_lanes(-distance_mm * absorption_per_mm_);
     }
@@ -151,7 +151,7 @@ class BoundPane final : public BoundBsdf {
         return BsdfSample{.wo = {-wi.x, -wi.y, -wi.z},
                           .weight = share.through * (1 / (1 - p_reflected)),
                           .pdf = 1 - p_reflected,
-                          .kind = SampleKind::straight,
+                          .kind = SampleKind::null,
                           .exit_mm = {}};
     }
     FloatLanes albedo(Vec3f wi) const override {
@@ -160,7 +160,7 @@ class BoundPane final : public BoundBsdf {
         return share.reflected + share.through;
     }
     bool transmits() const override { return true; }
-    FloatLanes straight_through(Vec3f wi) const override {
+    FloatLanes null_transmission(Vec3f wi) const override {
         return wi.z > 0 ? share_at(wi.z).through : FloatLanes{};
     }
 

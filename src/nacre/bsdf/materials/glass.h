@@ -43,7 +43,7 @@ class Pane final : public Bsdf {
     Pane(const optics::Material& index, spectra::Spectrum absorption_per_mm, double thickness_mm);
 
     std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const override;
-    bool lets_light_straight_through() const override { return true; }
+    bool has_null_transmission() const override { return true; }
 
  private:
     float index_;

@@ -208,8 +208,8 @@ TEST(Glass, RefusesAnIndexBelowOne) {
 
 TEST(Glass, AbsorbsAlongTheWayInside) {
     const auto outside = Glass(optics::Material(1.5), 0.02, 0).bind(kMaterialsAt);
-    EXPECT_EQ(outside->passed(30)[2], 1);
-    EXPECT_NEAR(outside->from_behind().passed(30)[2], std::exp(-0.6), 1e-6);
+    EXPECT_EQ(outside->transmittance(30)[2], 1);
+    EXPECT_NEAR(outside->from_behind().transmittance(30)[2], std::exp(-0.6), 1e-6);
 }
 
 TEST(Pane, HasBothFacesReflectionsAndLosesOnlyWhatItAbsorbs) {
@@ -219,7 +219,7 @@ TEST(Pane, HasBothFacesReflectionsAndLosesOnlyWhatItAbsorbs) {
         const Vec3f wi = direction(theta, 0);
         const double f = optics::fresnel_dielectric(1.5, double{wi.z});
         // Without absorption the series of reflections is (1 - f) / (1 + f).
-        EXPECT_NEAR(clear->straight_through(wi)[5], (1 - f) / (1 + f), 1e-5);
+        EXPECT_NEAR(clear->null_transmission(wi)[5], (1 - f) / (1 + f), 1e-5);
         EXPECT_NEAR(clear->albedo(wi)[5], 1, 1e-5);
         // The series, term by term.
         const double t = std::exp(-0.4 / optics::refracted_cos(1.0, 1.5, double{wi.z}));
@@ -230,7 +230,7 @@ TEST(Pane, HasBothFacesReflectionsAndLosesOnlyWhatItAbsorbs) {
             back += inside * (1 - f);
             inside *= f * t;
         }
-        EXPECT_NEAR(tinted->straight_through(wi)[5], through, 1e-5);
+        EXPECT_NEAR(tinted->null_transmission(wi)[5], through, 1e-5);
         EXPECT_NEAR(tinted->albedo(wi)[5], through + back, 1e-5);
         const auto white = mean_weight(*tinted, wi, 5, 20'000, 9);
         EXPECT_NEAR(white.mean, through + back, 4 * white.error + 1e-5);

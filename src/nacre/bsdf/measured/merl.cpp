@@ -147,7 +147,7 @@ MeasuredMerl::Tables::Tables(const MerlTable& table, SharedProgress* work)
     validate(table);
     values.resize(table.cells());
     for (std::size_t i = 0; i < values.size(); ++i) {
-        if (work && i % kCellsAtOnce == 0) work->require_going("preparing a measured BRDF");
+        if (work && i % kCellsAtOnce == 0) work->throw_if_stopped("preparing a measured BRDF");
         for (int c = 0; c < 3; ++c) {
             const double v = table.values[c * values.size() + i];
             // A cell counts as measured if all its channels do.

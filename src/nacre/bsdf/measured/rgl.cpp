@@ -416,7 +416,7 @@ MeasuredRgl::Tables::Tables(const RglTable& table, SharedProgress* work)
     const std::size_t square = static_cast<std::size_t>(resolution) * resolution;
     values.reserve(table.spectra.size());
     for (std::size_t slice = 0; slice < table.slices(); ++slice) {
-        if (work) work->require_going("preparing a measured BRDF");
+        if (work) work->throw_if_stopped("preparing a measured BRDF");
         values.resize((slice + 1) * square * channels);
         for (int c = 0; c < channels; ++c) {
             const float* from = table.spectra.data() + (slice * channels + c) * square;

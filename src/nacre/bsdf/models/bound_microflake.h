@@ -151,14 +151,14 @@ class BoundMicroflake : public BoundBsdf {
     FloatLanes albedo(Vec3f wi) const override;
     BinderIndex binder_index() const override { return {mean_ior_, ior_}; }
     FloatLanes coat_depth() const override { return clearcoat_depth_; }
-    ScatteredAgain scattered_again(Vec3f wi, Vec3f wo) const override;
+    MultiplyScattered multiply_scattered(Vec3f wi, Vec3f wo) const override;
     FlakeDepths flake_depths(float cosine) const override;
     CoatChange coat_change(Vec3f wi, Vec3f wo, float deviation) const override;
     FloatLanes coat_factor(Vec3f wi, Vec3f wo, float deviation) const override;
     const InterfaceLobe* interface_lobe() const override {
         return rough_ ? &rough_->interface : nullptr;
     }
-    UnitRange chooses_interface_lobe(const Patch* patch, Vec3f wi) const override;
+    UnitRange interface_lobe_range(const Patch* patch, Vec3f wi) const override;
 
  protected:
     // For models that keep the smooth part and the ways to sample it, and change the flakes.
@@ -173,7 +173,7 @@ class BoundMicroflake : public BoundBsdf {
 
     /// Of value() under a smooth interface, all but the single scattering.
     template <class Flakes>
-    ScatteredAgain again_value(const Ray& i, const Ray& o, const Flakes& flakes) const;
+    MultiplyScattered multiple_value(const Ray& i, const Ray& o, const Flakes& flakes) const;
 
     const SamplingProbabilities& probabilities_at(const Ray& i) const;
     /// Per solid angle outside, of draw() with these probabilities.
@@ -185,7 +185,7 @@ class BoundMicroflake : public BoundBsdf {
     bool draws_specular(const SamplingProbabilities& probability, float u_select) const {
         return u_select < probability.interface && !rough_;
     }
-    /// In the way that u_select selects, not the specular one; not upwards where no light leaves.
+    /// Draws w_o from the lobe that u_select selects, not the specular one; z <= 0 where no light leaves.
     Vec3f draw(const SamplingProbabilities& probability, const Ray& i, float u_select,
                Vec2f u) const;
     /// As sample(), of a surface whose value towards a ray is value_to(ray).
@@ -428,14 +428,14 @@ FloatLanes BoundMicroflake::rough_ratio(const Ray& i, const Ray& o, const Flakes
 }
 
 template <class Flakes>
-ScatteredAgain BoundMicroflake::again_value(const Ray& i, const Ray& o,
-                                            const Flakes& flakes) const {
+MultiplyScattered BoundMicroflake::multiple_value(const Ray& i, const Ray& o,
+                                                  const Flakes& flakes) const {
     const SmoothCell cell = cell_of(i, o);
     const bool over_ground = leaning_ && leaning_->over_black;
-    if (leaning_) prefetch(grid_, leaning_->unreturned.get(), cell);
+    if (leaning_) prefetch(grid_, leaning_->no_internal_reflection.get(), cell);
     if (over_ground) prefetch(grid_, leaning_->over_black.get(), cell);
     const FloatLanes factor = interface_factor(i, o);
-    ScatteredAgain again;
+    MultiplyScattered again;
     const FloatLanes smooth = tabulated(smooth_, i, o, cell);
     FloatLanes closing = splat(1.0f);
     again.all = smooth;
@@ -444,16 +444,18 @@ ScatteredAgain BoundMicroflake::again_value(const Ray& i, const Ray& o,
         again.all = flakes.multiple(smooth, closing);
     }
     again.all *= factor;
-    again.unreturned = again.all;
+    again.no_internal_reflection = again.all;
     if (!leaning_) return again;
     closing *= factor;
-    const FloatLanes unreturned = tabulated(leaning_->unreturned, i, o, cell);
+    const FloatLanes no_internal_reflection =
+        tabulated(leaning_->no_internal_reflection, i, o, cell);
     const FloatLanes no_ground = over_ground ? tabulated(leaning_->over_black, i, o, cell) : smooth;
-    again.unreturned = unreturned * closing;
-    if constexpr (requires { flakes.returned_gain(); }) {
-        const FloatLanes returned =
-            max_lanes(no_ground - unreturned, FloatLanes{}) * flakes.returned_gain();
-        again.unreturned = max_lanes(no_ground * closing - returned * factor, FloatLanes{});
+    again.no_internal_reflection = no_internal_reflection * closing;
+    if constexpr (requires { flakes.internal_reflection_gain(); }) {
+        const FloatLanes returned = max_lanes(no_ground - no_internal_reflection, FloatLanes{}) *
+                                    flakes.internal_reflection_gain();
+        again.no_internal_reflection =
+            max_lanes(no_ground * closing - returned * factor, FloatLanes{});
     }
     if (over_ground) {
         // The difference of two solutions holds no light that is not well above their errors.

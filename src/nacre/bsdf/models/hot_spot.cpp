@@ -67,7 +67,7 @@ HotSpotTables::HotSpotTables(const solver::SolvedPaint& paint)
     if (species_.empty()) return;
     tabulate_ground(medium);
     closing_ = closing_factors(paint, *this);
-    if (paint.recipe.flake_lean()) returned_ = returned_gains(paint, *this);
+    if (paint.recipe.flake_lean()) returned_ = internal_reflection_gains(paint, *this);
 }
 
 void HotSpotTables::tabulate_ground(const solver::PaintMedium& medium) {
@@ -242,7 +242,7 @@ FloatLanes HotSpot::Pair::closing() const {
     return i_->look_up(by_direction) * o_->look_up(by_direction);
 }
 
-FloatLanes HotSpot::Pair::returned_gain() const {
+FloatLanes HotSpot::Pair::internal_reflection_gain() const {
     const std::vector<FloatLanes>& by_direction = hot_spot_->returned_;
     if (by_direction.empty()) return splat(1.0f);
     return i_->look_up(by_direction) * o_->look_up(by_direction);

@@ -51,7 +51,7 @@ class HotSpotTables {
     /// is multiplied by. Empty where that is 0, or 1, and under a rough clearcoat.
     const std::vector<float>& ground() const { return ground_; }
     const std::vector<float>& closing() const { return closing_; }
-    /// Likewise what light gains that the interface had sent back: returned_gains(). Empty where no
+    /// Likewise what light gains that the interface had sent back: internal_reflection_gains(). Empty where no
     /// flakes lean, which is where it is told from the rest.
     const std::vector<float>& returned() const { return returned_; }
 
@@ -104,7 +104,7 @@ class HotSpot {
         /// The factor of what was scattered more than once.
         FloatLanes closing() const;
         /// The factor of what the interface had sent back; the rest then has as much less.
-        FloatLanes returned_gain() const;
+        FloatLanes internal_reflection_gain() const;
         /// Of it, what the ground alone has scattered, by the equation of transfer; and the factor
         /// of the hot spot.
         FloatLanes ground() const;

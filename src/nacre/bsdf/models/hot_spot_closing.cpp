@@ -133,7 +133,8 @@ std::vector<float> closing_factors(const solver::SolvedPaint& paint, const HotSp
     return factors;
 }
 
-std::vector<float> returned_gains(const solver::SolvedPaint& paint, const HotSpotTables& tables) {
+std::vector<float> internal_reflection_gains(const solver::SolvedPaint& paint,
+                                             const HotSpotTables& tables) {
     const int count = paint.medium.wavelength_count();
     std::vector<float> gains(static_cast<std::size_t>(kDirectionIntervals + 1) * count);
     parallel_for(0, paint::block_count(count), [&](int block) {

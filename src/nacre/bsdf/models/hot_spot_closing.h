@@ -40,7 +40,8 @@ std::vector<float> closing_factors(const solver::SolvedPaint& paint, const HotSp
 /// [direction][wavelength]. The square of one is the gain of single scattering between it and the critical
 /// angle on the other side.
 /// @param tables  all but the closing; of a smooth interface
-std::vector<float> returned_gains(const solver::SolvedPaint& paint, const HotSpotTables& tables);
+std::vector<float> internal_reflection_gains(const solver::SolvedPaint& paint,
+                                             const HotSpotTables& tables);
 
 /// Scales a symmetric matrix: g with g_a sum_b m[a][b] g_b = sum[a], to 1e-6 of it. g_a = 1 where
 /// m[a] and sum[a] are 0, and 0 where sum[a] alone is.

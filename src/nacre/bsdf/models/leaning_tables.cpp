@@ -23,9 +23,9 @@ LeaningTables::LeaningTables(const solver::SolvedPaint& paint, SharedProgress& w
           if (solver::without_ground(paint.medium) == paint.medium) return std::nullopt;
           return Part(solver::solve_without_ground(paint, [&](double) { return work.ask(); }));
       }()),
-      unreturned(solver::solve_without_internal_reflection(over_black ? over_black->paint : paint,
-                                                           [&](double) { return work.ask(); })) {
-    tabulate_depths(unreturned.paint.medium);
+      no_internal_reflection(solver::solve_without_internal_reflection(
+          over_black ? over_black->paint : paint, [&](double) { return work.ask(); })) {
+    tabulate_depths(no_internal_reflection.paint.medium);
 }
 
 void LeaningTables::tabulate_depths(const solver::PaintMedium& medium) {
@@ -62,11 +62,12 @@ void LeaningTables::tabulate_depths(const solver::PaintMedium& medium) {
 
 BoundLeaningTables::BoundLeaningTables(const LeaningTables& tables,
                                        const std::array<WavelengthPosition, kLanes>& where)
-    : unreturned(bind_table(tables.unreturned.table, tables.unreturned.paint, where)) {
+    : no_internal_reflection(bind_table(tables.no_internal_reflection.table,
+                                        tables.no_internal_reflection.paint, where)) {
     if (tables.over_black) {
         over_black = bind_table(tables.over_black->table, tables.over_black->paint, where);
     }
-    const int count = tables.unreturned.paint.medium.wavelength_count();
+    const int count = tables.no_internal_reflection.paint.medium.wavelength_count();
     const auto bound = [&](const std::vector<float>& table, int row) {
         return at_wavelengths(where, [&](int w) { return table[row * count + w]; });
     };

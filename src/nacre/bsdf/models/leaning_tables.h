@@ -26,7 +26,7 @@ struct LeaningTables {
     /// Without the ground; none where that reflects nothing.
     std::optional<Part> over_black;
     /// Without the ground: what left the coat when it first met the interface from inside.
-    Part unreturned;
+    Part no_internal_reflection;
 
     /// FlakeDepths of even cosines from 0 to 1: [cosine][wavelength], and by wavelength.
     static constexpr int kCosineIntervals = 64;
@@ -45,7 +45,7 @@ class BoundLeaningTables {
     FlakeDepths depths(float cosine) const;
 
     BoundSmoothTable over_black;  ///< none where the ground reflects nothing
-    BoundSmoothTable unreturned;
+    BoundSmoothTable no_internal_reflection;
 
  private:
     std::vector<FloatLanes> flakes_, mirrored_;  // by cosine

@@ -325,8 +325,8 @@ FloatLanes BoundMicroflake::eval(Vec3f wi, Vec3f wo) const {
     return value(make_ray(wi), make_ray(wo), MeanFlakes{});
 }
 
-ScatteredAgain BoundMicroflake::scattered_again(Vec3f wi, Vec3f wo) const {
-    return again_value(make_ray(wi), make_ray(wo), MeanFlakes{});
+MultiplyScattered BoundMicroflake::multiply_scattered(Vec3f wi, Vec3f wo) const {
+    return multiple_value(make_ray(wi), make_ray(wo), MeanFlakes{});
 }
 
 FlakeDepths BoundMicroflake::flake_depths(float cosine) const {
@@ -349,7 +349,7 @@ FloatLanes BoundMicroflake::pdf_lanes(Vec3f wi, const Vec3Lanes& wo) const {
     return wo.z > 0 ? pdf : FloatLanes{};
 }
 
-UnitRange BoundMicroflake::chooses_interface_lobe(const Patch* /*patch*/, Vec3f wi) const {
+UnitRange BoundMicroflake::interface_lobe_range(const Patch* /*patch*/, Vec3f wi) const {
     if (!rough_ || wi.z <= 0) return {};
     return {0, probabilities_at(make_ray(wi)).interface};
 }

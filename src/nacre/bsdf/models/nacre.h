@@ -127,7 +127,7 @@ class BoundNacre final : public BoundMicroflake {
 
     // The mean over all patches: that of BoundMicroflake, but for a hot spot.
     FloatLanes eval(Vec3f wi, Vec3f wo) const override;
-    ScatteredAgain scattered_again(Vec3f wi, Vec3f wo) const override;
+    MultiplyScattered multiply_scattered(Vec3f wi, Vec3f wo) const override;
     std::optional<BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const override;
     BsdfValue evaluate(Vec3f wi, Vec3f wo) const override;
 
@@ -138,8 +138,8 @@ class BoundNacre final : public BoundMicroflake {
         return 2 * tables_->species.size() * sizeof(sparkle::FlakeView);
     }
     bool tells_flakes_apart() const override { return true; }
-    UnitRange chooses_interface_lobe(const Patch* patch, Vec3f wi) const override;
-    float narrow_light(Vec3f wi) const override;
+    UnitRange interface_lobe_range(const Patch* patch, Vec3f wi) const override;
+    float narrow_light_pdf(Vec3f wi) const override;
     CoatChange coat_change(Vec3f wi, Vec3f wo, float deviation) const override;
     void ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
                     std::vector<AskedFlakes>& list) const override;
@@ -149,14 +149,14 @@ class BoundNacre final : public BoundMicroflake {
  private:
     class WithHotSpot;
     class FlakesOfPatch;
-    class BesideFlakes;
+    class BackgroundFlakes;
     class SomeFlakes;
     class AllOfSpecies;
 
     // The flakes of a patch, by species: in its memory or, where it has none, in one of its own.
-    class Look {
+    class PatchFlakes {
      public:
-        Look(const BoundNacre& surface, const Patch& patch, Vec3f wi);
+        PatchFlakes(const BoundNacre& surface, const Patch& patch, Vec3f wi);
         const sparkle::FlakeView& operator[](std::size_t species) const { return views_[species]; }
 
      private:
@@ -171,13 +171,14 @@ class BoundNacre final : public BoundMicroflake {
         float flakes;       // all resolved
         float per_species;  // times NacreSpecies::fraction times weight_sum: those of one species
     };
-    Probability probability_on(const Look& look, const Ray& i) const;
-    std::optional<Vec3f> draw_flake(const Look& look, const Probability& probability, const Ray& i,
-                                    float u_flake, Vec2f u) const;
+    Probability probability_on(const PatchFlakes& look, const Ray& i) const;
+    std::optional<Vec3f> draw_flake(const PatchFlakes& look, const Probability& probability,
+                                    const Ray& i, float u_flake, Vec2f u) const;
     // Per solid angle outside, of draw_flake().
-    float flake_density(const Look& look, const Probability& probability, const Ray& i,
+    float flake_density(const PatchFlakes& look, const Probability& probability, const Ray& i,
                         const Ray& o) const;
-    FloatLanes value_on(const Patch& patch, const Look& look, const Ray& i, const Ray& o) const;
+    FloatLanes value_on(const Patch& patch, const PatchFlakes& look, const Ray& i,
+                        const Ray& o) const;
     // Of one flake and what lies above it in its layer, with its films over their mean.
     FloatLanes relative_attenuation(std::size_t species, std::size_t layer,
                                     const sparkle::FlakeView& view, int flake, float cosine,
@@ -217,7 +218,7 @@ class BoundNacre final : public BoundMicroflake {
                 return before + fraction * (sparkle::pick_lanes(table, node + 1) - before);
             }
         };
-        /// By cosine of w_i, with nothing in its layer above the flake, for w_o of typical_mirrored().
+        /// By cosine of w_i, with nothing in its layer above the flake, for w_o of typical_reflected().
         ByEye light{};
         /// By cosines of w_i and, in lanes, of w_o: with what lies above the mean flake, over that for that w_o.
         ByEye relative{};
@@ -225,7 +226,7 @@ class BoundNacre final : public BoundMicroflake {
     // The direction into which a flake mirrors w_i that leans by the median slope, across the plane
     // of w_i and the normal. If that light does not leave the coat: the direction of a flake that
     // lies flat. The hot spot is there about what it is for most flakes.
-    Ray typical_mirrored(std::size_t species, const Ray& i) const;
+    Ray typical_reflected(std::size_t species, const Ray& i) const;
     SeenFlakes seen_flakes(std::size_t species) const;
     // Per solid angle outside, of directions spread over the lobe of a typical flake that mirrors
     // wi upwards.

@@ -45,10 +45,10 @@ class AskedDirections {
     /// @param weight  of one flake, or of eight
     template <class T>
     T of(const T& weight) const {
-        constexpr float kByLot = 8;  // times as light as the mean
+        constexpr float kRouletteBelow = 8;  // times as light as the mean
         const T relative = min_lanes(weight * per_mean_, T{} + 4.0f);
         const T number = max_lanes(to_float(whole(relative * directions_ + 0.5f)), T{} + 1.0f);
-        return kByLot * relative < 1.0f ? kByLot * relative : number;
+        return kRouletteBelow * relative < 1.0f ? kRouletteBelow * relative : number;
     }
 
  private:
@@ -72,9 +72,9 @@ class AskingOrder {
         std::array<int, AskedDirections::kMax + 1> flakes_with{}, place{};
         for (int first = 0; first < view.count; first += kLanes) {
             const FloatLanes number = directions.of(load_lanes(&view.weight[first]));
-            const FloatLanes lot = sparkle::unit_fraction(bits_of_flakes(random, kNumbers + first));
-            const IntLanes by_lot = lot < number ? IntLanes{} + 1 : IntLanes{};
-            const IntLanes here = number < 1.0f ? by_lot : whole(number);
+            const FloatLanes u = sparkle::unit_fraction(bits_of_flakes(random, kNumbers + first));
+            const IntLanes survives = u < number ? IntLanes{} + 1 : IntLanes{};
+            const IntLanes here = number < 1.0f ? survives : whole(number);
             for (int lane = 0; lane < std::min(kLanes, view.count - first); ++lane) {
                 directions_of[first + lane] = static_cast<std::uint8_t>(here[lane]);
                 ++flakes_with[here[lane]];
@@ -103,7 +103,7 @@ class AskingOrder {
 
 }  // namespace
 
-Ray BoundNacre::typical_mirrored(std::size_t species, const Ray& i) const {
+Ray BoundNacre::typical_reflected(std::size_t species, const Ray& i) const {
     const sparkle::DiffractionLobe& lobe = tables_->species[species].field.lobe();
     const float slope = lobe.median_slope() / std::max(i.sine, 1e-6f);
     const Vec3f normal = i.sine > 1e-6f
@@ -142,7 +142,7 @@ BoundNacre::SeenFlakes BoundNacre::seen_flakes(std::size_t species) const {
     for (int a = 0; a <= SeenFlakes::kEyeIntervals; ++a) {
         const float cosine_i = SeenFlakes::cosine(a, SeenFlakes::kEyeIntervals);
         const Ray i = make_ray({std::sqrt(1 - cosine_i * cosine_i), 0, cosine_i});
-        const Ray typical = typical_mirrored(species, i);
+        const Ray typical = typical_reflected(species, i);
         const Sent bare = sent(i, typical, true), covered = sent(i, typical, false);
         const float covered_light = lane_sum(eye_ * covered.light);
         if (!(covered_light > 0)) continue;
@@ -180,7 +180,7 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
     // Directions of one flake are a lattice, shifted at random [cranley-patterson-1976].
     constexpr float kGolden = std::numbers::phi_v<float> - 1;
     if (wi.z <= 0) return;
-    const Look look(*this, patch, wi);
+    const PatchFlakes look(*this, patch, wi);
     const Ray i = make_ray(wi);
     const SeenFlakes::Place place(wi.z, SeenFlakes::kEyeIntervals);
     std::size_t layer = 0;
@@ -195,7 +195,7 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
         const FloatLanes relative = place.in(flakes.relative);
         // What lies above each of them as if the light came from there: that it comes from elsewhere
         // changes all nearly alike.
-        const Ray typical = typical_mirrored(s, i);
+        const Ray typical = typical_reflected(s, i);
         std::optional<HotSpot::Pair> pair;
         if (hot_spot_) pair.emplace(*hot_spot_, i, typical);
         const AskedDirections directions(view, species.directions);
@@ -271,7 +271,7 @@ float BoundNacre::flake_pdf(const FlakeView& view, float directions, std::size_t
 }
 
 FloatLanes BoundNacre::flake_weight(const Patch& patch, Vec3f wi, const AskedFlake& asked) const {
-    const Look look(*this, patch, wi);
+    const PatchFlakes look(*this, patch, wi);
     const Ray i = make_ray(wi), o = make_ray(asked.wo);
     const HalfVector half(i, o, coat());
     const auto species = static_cast<std::size_t>(asked.species);
@@ -286,7 +286,7 @@ FloatLanes BoundNacre::flake_weight(const Patch& patch, Vec3f wi, const AskedFla
 
 FloatLanes BoundNacre::flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float pdf) const {
     if (wi.z <= 0 || wo.z <= 0) return FloatLanes{};
-    const Look look(*this, patch, wi);
+    const PatchFlakes look(*this, patch, wi);
     const Ray i = make_ray(wi), o = make_ray(wo);
     const HalfVector half(i, o, coat());
     FloatLanes sum{};
@@ -296,7 +296,7 @@ FloatLanes BoundNacre::flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float p
         if (view.count == 0 || !lobe.reaches(half.slope2)) continue;
         const AskedDirections directions(view, tables_->species[s].directions);
         SomeFlakes flakes(*this, s, view, i, o);
-        view.for_each_answer(
+        view.for_each_reflecting_flake(
             lobe, half.slope, half.cosine,
             [&](int k, float fraction) {
                 const float asked = flake_pdf(view, directions.of(view.weight[k]), s, k, i, o);

@@ -32,9 +32,8 @@ struct HalfVector {
     }
 };
 
-// One over the mean attenuation between the top of a layer and its flakes, (1 - exp(-depth)) / depth, that
-// single scattering has.
-inline FloatLanes over_mean_attenuation(const FloatLanes& depth) {
+// 1 / mean_attenuation(depth): takes that factor of single scattering out again.
+inline FloatLanes inverse_mean_attenuation(const FloatLanes& depth) {
     const FloatLanes safe = max_lanes(depth, splat(1e-20f));
     return safe / one_minus_exp_lanes(safe);
 }
@@ -58,7 +57,9 @@ class BoundNacre::WithHotSpot {
         return pair_ ? pair_->multiple(multiple, closing) : multiple;
     }
     FloatLanes closing() const { return pair_ ? pair_->closing() : splat(1.0f); }
-    FloatLanes returned_gain() const { return pair_ ? pair_->returned_gain() : splat(1.0f); }
+    FloatLanes internal_reflection_gain() const {
+        return pair_ ? pair_->internal_reflection_gain() : splat(1.0f);
+    }
     // What the table of single scattering under a rough clearcoat holds.
     const WithHotSpot& mean() const { return *this; }
 
@@ -69,7 +70,7 @@ class BoundNacre::WithHotSpot {
 // In place of MeanFlakes: those of a patch.
 class BoundNacre::FlakesOfPatch : public WithHotSpot {
  public:
-    FlakesOfPatch(const BoundNacre& surface, const Look& look, const Ray& i, const Ray& o)
+    FlakesOfPatch(const BoundNacre& surface, const PatchFlakes& look, const Ray& i, const Ray& o)
         : WithHotSpot(surface, i, o), surface_(surface), look_(look), half_(i, o, surface.coat()) {}
 
     FloatLanes factor(std::size_t layer, std::size_t flake, const FloatLanes& depth) const {
@@ -79,7 +80,7 @@ class BoundNacre::FlakesOfPatch : public WithHotSpot {
         const sparkle::FlakeView& view = look_[at];
         FloatLanes reflected{};
         bool any = false;
-        const float background = view.for_each_answer(
+        const float background = view.for_each_reflecting_flake(
             lobe, half_.slope, half_.cosine,
             [&](int k, float fraction) {
                 any = true;
@@ -90,20 +91,20 @@ class BoundNacre::FlakesOfPatch : public WithHotSpot {
             half_.spread2);
         FloatLanes sum = splat(background);
         if (pair_ && background > 0) sum *= pair_->mean(layer, depth);
-        if (any) sum += reflected * over_mean_attenuation(depth);
+        if (any) sum += reflected * inverse_mean_attenuation(depth);
         return sum;
     }
 
  private:
     const BoundNacre& surface_;
-    const Look& look_;
+    const PatchFlakes& look_;
     HalfVector half_;
 };
 
-// In place of MeanFlakes: what is left where flakes are asked one by one.
-class BoundNacre::BesideFlakes : public WithHotSpot {
+// In place of MeanFlakes: the background, without the flakes that are asked one by one.
+class BoundNacre::BackgroundFlakes : public WithHotSpot {
  public:
-    BesideFlakes(const BoundNacre& surface, const Look& look, const Ray& i, const Ray& o)
+    BackgroundFlakes(const BoundNacre& surface, const PatchFlakes& look, const Ray& i, const Ray& o)
         : WithHotSpot(surface, i, o), surface_(surface), look_(look), half_(i, o, surface.coat()) {}
 
     FloatLanes factor(std::size_t layer, std::size_t flake, const FloatLanes& depth) const {
@@ -118,7 +119,7 @@ class BoundNacre::BesideFlakes : public WithHotSpot {
 
  private:
     const BoundNacre& surface_;
-    const Look& look_;
+    const PatchFlakes& look_;
     HalfVector half_;
 };
 
@@ -151,7 +152,7 @@ class BoundNacre::SomeFlakes : public WithHotSpot {
                    surface_.relative_attenuation(species_, layer, view_, answers_[n].flake, cosine_,
                                                  depth, pair_ ? &*pair_ : nullptr);
         }
-        return sum * over_mean_attenuation(depth);
+        return sum * inverse_mean_attenuation(depth);
     }
 
  private:
@@ -181,7 +182,7 @@ class BoundNacre::AllOfSpecies : public WithHotSpot {
         return surface_.tables_->first_species[layer] + flake == species_;
     }
     FloatLanes factor(std::size_t layer, std::size_t flake, const FloatLanes& depth) const {
-        return bare_ ? over_mean_attenuation(depth) : WithHotSpot::factor(layer, flake, depth);
+        return bare_ ? inverse_mean_attenuation(depth) : WithHotSpot::factor(layer, flake, depth);
     }
 
  private:

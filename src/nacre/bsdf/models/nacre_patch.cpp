@@ -20,13 +20,13 @@ constexpr float kMinMeanProbability = 0.15f;
 
 }  // namespace
 
-BoundNacre::Look::Look(const BoundNacre& surface, const Patch& patch, Vec3f wi)
+BoundNacre::PatchFlakes::PatchFlakes(const BoundNacre& surface, const Patch& patch, Vec3f wi)
     : own_(patch.memory ? 0 : surface.patch_memory_bytes()) {
     using sparkle::FlakeView;
     PatchMemory& memory = patch.memory ? *patch.memory : own_;
     // Those for a narrow light lie behind the others: one patch may need both.
     const std::vector<NacreSpecies>& species = surface.tables_->species;
-    const bool narrow = patch.narrow_light > 0;
+    const bool narrow = patch.narrow_light_pdf > 0;
     FlakeView* const views =
         reinterpret_cast<FlakeView*>(memory.data()) + (narrow ? species.size() : 0);
     views_ = views;
@@ -40,7 +40,7 @@ BoundNacre::Look::Look(const BoundNacre& surface, const Patch& patch, Vec3f wi)
             continue;
         }
         const sparkle::FlakeField::StandIns stand_ins{
-            narrow ? std::min(1.0f, surface.slope_density(s, wi) / patch.narrow_light) : kWide};
+            narrow ? std::min(1.0f, surface.slope_density(s, wi) / patch.narrow_light_pdf) : kWide};
         if (patch.flakes == Patch::Flakes::apart) {
             field.look(patch.footprint, view, stand_ins);
         } else {
@@ -56,7 +56,7 @@ float BoundNacre::slope_density(std::size_t species, Vec3f wi) const {
            tables_->species[species].field.lobe_area(i.inside.z);
 }
 
-float BoundNacre::narrow_light(Vec3f wi) const {
+float BoundNacre::narrow_light_pdf(Vec3f wi) const {
     float narrowest = 0;
     for (std::size_t s = 0; s < tables_->species.size(); ++s) {
         narrowest = std::max(
@@ -118,13 +118,14 @@ void BoundNacre::relative_attenuations(std::size_t species, std::size_t layer,
     }
 }
 
-FloatLanes BoundNacre::value_on(const Patch& patch, const Look& look, const Ray& i,
+FloatLanes BoundNacre::value_on(const Patch& patch, const PatchFlakes& look, const Ray& i,
                                 const Ray& o) const {
-    if (patch.flakes != Patch::Flakes::shown) return value(i, o, BesideFlakes(*this, look, i, o));
+    if (patch.flakes != Patch::Flakes::shown)
+        return value(i, o, BackgroundFlakes(*this, look, i, o));
     return value(i, o, FlakesOfPatch(*this, look, i, o));
 }
 
-BoundNacre::Probability BoundNacre::probability_on(const Look& look, const Ray& i) const {
+BoundNacre::Probability BoundNacre::probability_on(const PatchFlakes& look, const Ray& i) const {
     const SamplingProbabilities& mean = probabilities_at(i);
     float background = 0, resolved = 0;
     for (std::size_t s = 0; s < tables_->species.size(); ++s) {
@@ -147,7 +148,7 @@ BoundNacre::Probability BoundNacre::probability_on(const Look& look, const Ray& 
     return probability;
 }
 
-std::optional<Vec3f> BoundNacre::draw_flake(const Look& look, const Probability& probability,
+std::optional<Vec3f> BoundNacre::draw_flake(const PatchFlakes& look, const Probability& probability,
                                             const Ray& i, float u_flake, Vec2f u) const {
     float rest = u_flake;
     std::size_t last = 0;
@@ -169,8 +170,8 @@ std::optional<Vec3f> BoundNacre::draw_flake(const Look& look, const Probability&
     return leave(2 * dot(i.inside, m) * m - i.inside);
 }
 
-float BoundNacre::flake_density(const Look& look, const Probability& probability, const Ray& i,
-                                const Ray& o) const {
+float BoundNacre::flake_density(const PatchFlakes& look, const Probability& probability,
+                                const Ray& i, const Ray& o) const {
     if (probability.flakes == 0) return 0;
     const HalfVector half(i, o, coat());
     float sum = 0;
@@ -187,7 +188,7 @@ float BoundNacre::flake_density(const Look& look, const Probability& probability
 BsdfValue BoundNacre::evaluate_on(const Patch& patch, Vec3f wi, Vec3f wo) const {
     if (wi.z <= 0 || wo.z <= 0) return {};
     if (tables_->species.empty()) return evaluate(wi, wo);
-    const Look look(*this, patch, wi);
+    const PatchFlakes look(*this, patch, wi);
     const Ray i = make_ray(wi), o = make_ray(wo);
     if (patch.flakes != Patch::Flakes::shown) {
         return {value_on(patch, look, i, o), density(probabilities_at(i), i, o)};
@@ -201,7 +202,7 @@ std::optional<BsdfSample> BoundNacre::sample_on(const Patch& patch, Vec3f wi, fl
                                                 Vec2f u) const {
     if (wi.z <= 0) return std::nullopt;
     if (tables_->species.empty()) return sample(wi, u_select, u);
-    const Look look(*this, patch, wi);
+    const PatchFlakes look(*this, patch, wi);
     const Ray i = make_ray(wi);
     if (patch.flakes != Patch::Flakes::shown) {
         return sample_by(i, u_select, u, [&](const Ray& o) { return value_on(patch, look, i, o); });
@@ -226,12 +227,12 @@ std::optional<BsdfSample> BoundNacre::sample_on(const Patch& patch, Vec3f wi, fl
     return s;
 }
 
-UnitRange BoundNacre::chooses_interface_lobe(const Patch* patch, Vec3f wi) const {
+UnitRange BoundNacre::interface_lobe_range(const Patch* patch, Vec3f wi) const {
     if (!patch || patch->flakes != Patch::Flakes::shown || tables_->species.empty() ||
         !under_rough_coat() || wi.z <= 0) {
-        return BoundMicroflake::chooses_interface_lobe(patch, wi);
+        return BoundMicroflake::interface_lobe_range(patch, wi);
     }
-    const Look look(*this, *patch, wi);
+    const PatchFlakes look(*this, *patch, wi);
     const Probability probability = probability_on(look, make_ray(wi));
     return {probability.flakes, probability.flakes + probability.lobes.interface};
 }
@@ -241,10 +242,10 @@ FloatLanes BoundNacre::eval(Vec3f wi, Vec3f wo) const {
     return mean_value(make_ray(wi), make_ray(wo));
 }
 
-ScatteredAgain BoundNacre::scattered_again(Vec3f wi, Vec3f wo) const {
+MultiplyScattered BoundNacre::multiply_scattered(Vec3f wi, Vec3f wo) const {
     const Ray i = make_ray(wi), o = make_ray(wo);
-    if (!hot_spot_) return again_value(i, o, MeanFlakes{});
-    return again_value(i, o, WithHotSpot(*this, i, o));
+    if (!hot_spot_) return multiple_value(i, o, MeanFlakes{});
+    return multiple_value(i, o, WithHotSpot(*this, i, o));
 }
 
 BsdfValue BoundNacre::evaluate(Vec3f wi, Vec3f wo) const {

@@ -89,22 +89,22 @@ TEST(ReturnedLight, ComesFromTheRestOfWhatWasScatteredAgain) {
             for (const double theta_o : {0.0, 20.0, 45.0, 65.0}) {
                 for (const double phi : {0.0, 110.0, 180.0}) {
                     const Vec3f wi = direction(theta_i, 0), wo = direction(theta_o, phi);
-                    const ScatteredAgain with = hot.bound->scattered_again(wi, wo),
-                                         without = plain.bound->scattered_again(wi, wo),
-                                         back = hot.bound->scattered_again(wo, wi);
+                    const MultiplyScattered with = hot.bound->multiply_scattered(wi, wo),
+                                            without = plain.bound->multiply_scattered(wi, wo),
+                                            back = hot.bound->multiply_scattered(wo, wi);
                     const FloatLanes f = hot.bound->eval(wi, wo), same = whole.bound->eval(wi, wo);
                     for (int lane = 0; lane < kLanes; ++lane) {
-                        const float all = with.all[lane], first = with.unreturned[lane];
+                        const float all = with.all[lane], first = with.no_internal_reflection[lane];
                         // What is told apart changes nothing in the whole, to the last bit.
                         EXPECT_EQ(f[lane], same[lane]);
                         EXPECT_GE(first, 0);
                         EXPECT_LE(first + with.from_ground[lane], 1.001f * all);
-                        EXPECT_NEAR(first, back.unreturned[lane], 1e-4f * all);
+                        EXPECT_NEAR(first, back.no_internal_reflection[lane], 1e-4f * all);
                         if (small) {
-                            EXPECT_NEAR(first, without.unreturned[lane], 0.01f * all);
+                            EXPECT_NEAR(first, without.no_internal_reflection[lane], 0.01f * all);
                         } else {
-                            less +=
-                                first < 0.9f * without.unreturned[lane] * all / without.all[lane];
+                            less += first < 0.9f * without.no_internal_reflection[lane] * all /
+                                                without.all[lane];
                         }
                     }
                 }

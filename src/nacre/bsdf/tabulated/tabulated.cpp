@@ -373,7 +373,7 @@ std::unique_ptr<const BoundBsdf> Tabulated::bind(const Wavelengths& wavelengths_
     return std::make_unique<const BoundTabulated>(tables_, wavelengths_nm);
 }
 
-BrdfTable share_table(std::variant<RawBrdfTable, CompressedBrdfTable> table) {
+BrdfTable shared_brdf_table(std::variant<RawBrdfTable, CompressedBrdfTable> table) {
     return std::visit(
         [](auto&& t) -> BrdfTable {
             using T = std::decay_t<decltype(t)>;

@@ -44,7 +44,7 @@ class Tabulated final : public Bsdf {
 };
 
 /// Takes over a table read from a file.
-BrdfTable share_table(std::variant<RawBrdfTable, CompressedBrdfTable> table);
+BrdfTable shared_brdf_table(std::variant<RawBrdfTable, CompressedBrdfTable> table);
 
 inline constexpr double kTabulatedError = 1e-3;
 inline constexpr double kTabulatedCompressedError = 4e-3;

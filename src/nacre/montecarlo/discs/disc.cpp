@@ -106,7 +106,7 @@ std::vector<Disc> draw_discs(const paint::Recipe& recipe, const Tile& tile,
         const std::uint64_t count = poisson(mean, count_rng);
         RandomStream random(seed, 1, index);
         for (std::uint64_t i = 0; i < count; ++i) {
-            if (work) work->require_going("laying out the flakes");
+            if (work) work->throw_if_stopped("laying out the flakes");
             Disc disc;
             const double x = tile.width_um * random.uniform();
             const double y = tile.height_um * random.uniform();

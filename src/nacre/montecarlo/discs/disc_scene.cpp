@@ -55,7 +55,7 @@ DiscScene::DiscScene(std::vector<Disc> discs, const Tile& tile, SharedProgress* 
     }
     rtcCommitScene(scene_.get());
     if (work) {
-        work->require_going(kBuilding);
+        work->throw_if_stopped(kBuilding);
         rtcSetSceneProgressMonitorFunction(scene_.get(), nullptr, nullptr);
     }
     embree::check(device_.get(), "building the paint");
@@ -71,7 +71,7 @@ void DiscScene::add_copies(SharedProgress* work) {
     // tile.
     const auto reach = [](float radius, float side) { return 1 + static_cast<int>(radius / side); };
     for (std::size_t i = 0; i < count_; ++i) {
-        if (work) work->require_going(kBuilding);
+        if (work) work->throw_if_stopped(kBuilding);
         const Disc disc = discs_[i];
         const float r = disc.radius_um, x = disc.centre_um.x, y = disc.centre_um.y;
         if (x >= r && x + r <= width && y >= r && y + r <= height) continue;

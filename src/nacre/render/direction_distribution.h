@@ -26,12 +26,12 @@ struct DirectionSample {
     T brightness;  ///< of the cell, its mean
 };
 
-class DirectionTable {
+class DirectionDistribution {
  public:
     /// Density in proportion to the mean of `brightness` (finite, >= 0) over each of
     /// columns x rows cells, each count in [1, 65535]. Where it vanishes everywhere the density is
     /// uniform.
-    DirectionTable(int columns, int rows, const std::function<float(Vec3f)>& brightness);
+    DirectionDistribution(int columns, int rows, const std::function<float(Vec3f)>& brightness);
 
     DirectionSample<float> sample(Vec2f u) const { return sample_at(u); }
     DirectionSample<FloatLanes> sample(Vec2<FloatLanes> u) const { return sample_at(u); }

@@ -12,7 +12,7 @@ namespace nacre {
 ///
 /// It is for at most n numbers below 2^(bits - 1 - fraction_bits) / n; beyond, sums wrap around.
 template <class Signed, class Unsigned, int fraction_bits>
-class OrderFreeSum {
+class ReproducibleSum {
  public:
     static constexpr float kStepsPerUnit = static_cast<float>(std::uint64_t{1} << fraction_bits);
 
@@ -24,12 +24,12 @@ class OrderFreeSum {
                       ? static_cast<Unsigned>(static_cast<std::int64_t>(steps))
                       : static_cast<Unsigned>(static_cast<Signed>(steps));
     }
-    void add(const OrderFreeSum& other) { steps_ += other.steps_; }
+    void add(const ReproducibleSum& other) { steps_ += other.steps_; }
     /// Rounded to the nearest double.
     double value() const {
         return static_cast<double>(static_cast<Signed>(steps_)) / kStepsPerUnit;
     }
-    friend bool operator==(const OrderFreeSum&, const OrderFreeSum&) = default;
+    friend bool operator==(const ReproducibleSum&, const ReproducibleSum&) = default;
 
  private:
     Unsigned steps_ = 0;  // two's complement
@@ -39,8 +39,8 @@ __extension__ using Int128 = __int128;
 __extension__ using UnsignedInt128 = unsigned __int128;
 
 /// For light: 2^24 numbers below 2^55, in steps of 2^-48.
-using LightSum = OrderFreeSum<Int128, UnsignedInt128, 48>;
+using LightSum = ReproducibleSum<Int128, UnsignedInt128, 48>;
 /// For the components of 2^24 unit vectors, in steps of 2^-38.
-using UnitSum = OrderFreeSum<std::int64_t, std::uint64_t, 38>;
+using UnitSum = ReproducibleSum<std::int64_t, std::uint64_t, 38>;
 
 }  // namespace nacre

@@ -1,4 +1,4 @@
-#include "nacre/core/recent_results.h"
+#include "nacre/core/lru_cache.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 namespace nacre {
 namespace {
 
-TEST(RecentResults, AreMadeOnceWhileTheyAreKept) {
-    RecentResults<int, std::string> squares(2);
+TEST(LruCache, AreMadeOnceWhileTheyAreKept) {
+    LruCache<int, std::string> squares(2);
     const auto ask = [&](int x) { return *squares.get(x, [&] { return std::to_string(x * x); }); };
     EXPECT_EQ(ask(3), "9");
     EXPECT_EQ(ask(4), "16");
@@ -25,8 +25,8 @@ TEST(RecentResults, AreMadeOnceWhileTheyAreKept) {
     EXPECT_EQ(squares.made(), 4u);
 }
 
-TEST(RecentResults, TakeNoMoreThanTheirCapacity) {
-    RecentResults<int, std::string> words(10, [](const std::string& s) { return s.size(); });
+TEST(LruCache, TakeNoMoreThanTheirCapacity) {
+    LruCache<int, std::string> words(10, [](const std::string& s) { return s.size(); });
     const auto ask = [&](int length) {
         return words.get(length, [&] { return std::string(length, 'x'); })->size();
     };
@@ -43,8 +43,8 @@ TEST(RecentResults, TakeNoMoreThanTheirCapacity) {
     EXPECT_EQ(words.made(), 6u);
 }
 
-TEST(RecentResults, AreKeptOnceThoughTwoThreadsMakeTheSame) {
-    RecentResults<int, int> results(4);
+TEST(LruCache, AreKeptOnceThoughTwoThreadsMakeTheSame) {
+    LruCache<int, int> results(4);
     std::barrier both(2);
     std::shared_ptr<const int> here, there;
     const auto ask = [&](std::shared_ptr<const int>& found) {
@@ -62,8 +62,8 @@ TEST(RecentResults, AreKeptOnceThoughTwoThreadsMakeTheSame) {
     EXPECT_EQ(results.get(1, [] { return 8; }), here);
 }
 
-TEST(RecentResults, KeepNothingOfWhatThrows) {
-    RecentResults<int, int> results(4);
+TEST(LruCache, KeepNothingOfWhatThrows) {
+    LruCache<int, int> results(4);
     EXPECT_THROW(results.get(1, []() -> int { throw std::runtime_error("no"); }),
                  std::runtime_error);
     EXPECT_EQ(*results.get(1, [] { return 7; }), 7);

@@ -1,4 +1,4 @@
-#include "nacre/render/direction_table.h"
+#include "nacre/render/direction_distribution.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ float brightness(Vec3f d) {
     return 0.2f + 30 * std::exp(40 * (dot(d, pole) - 1)) + 10 * std::exp(60 * (dot(d, seam) - 1));
 }
 
-DirectionTable table() { return DirectionTable(64, 32, brightness); }
+DirectionDistribution table() { return DirectionDistribution(64, 32, brightness); }
 
 /// Evenly spread directions with z and azimuth as coordinates, which the table does not use.
 Vec3f spherical(double u, double v) {
@@ -27,12 +27,12 @@ Vec3f spherical(double u, double v) {
             static_cast<float>(z)};
 }
 
-TEST(DirectionTable, SquareAndSphereMapBackAndForth) {
+TEST(DirectionDistribution, SquareAndSphereMapBackAndForth) {
     for (int i = 0; i < 1000; ++i) {
         const auto u = PathSampler(0, 0, i).draw(0);
-        const Vec3f d = DirectionTable::from_square(Vec2f{u[0], u[1]});
+        const Vec3f d = DirectionDistribution::from_square(Vec2f{u[0], u[1]});
         EXPECT_NEAR(length(d), 1, 1e-6);
-        const Vec2f back = DirectionTable::to_square(d);
+        const Vec2f back = DirectionDistribution::to_square(d);
         EXPECT_NEAR(back.y, u[1], 1e-6);
         // Near the poles the azimuth loses digits in proportion.
         EXPECT_NEAR(back.x, u[0], 1e-6 / std::max(1e-2f, std::hypot(d.x, d.y)));
@@ -41,8 +41,8 @@ TEST(DirectionTable, SquareAndSphereMapBackAndForth) {
 
 // Midpoints of a 2000 x 2000 grid. The density jumps at the 64 + 32 edges of cells, each of which
 // the grid places to half a step: a few parts in 1000 where a bright cell has such an edge.
-TEST(DirectionTable, PdfIntegratesToOne) {
-    const DirectionTable t = table();
+TEST(DirectionDistribution, PdfIntegratesToOne) {
+    const DirectionDistribution t = table();
     constexpr int kSide = 2000;
     double sum = 0;
     for (int i = 0; i < kSide * kSide; ++i) {
@@ -51,8 +51,8 @@ TEST(DirectionTable, PdfIntegratesToOne) {
     EXPECT_NEAR(sum * 4 * M_PI / (kSide * kSide), 1, 5e-3);
 }
 
-TEST(DirectionTable, EightSamplesAreThoseOfEach) {
-    const DirectionTable t = table();
+TEST(DirectionDistribution, EightSamplesAreThoseOfEach) {
+    const DirectionDistribution t = table();
     for (std::uint32_t i = 0; i < 1000; ++i) {
         const PathSampler::Threes u = PathSampler(0, 2, i).draw_refined(0);
         const DirectionSample<FloatLanes> eight = t.sample({u.x, u.y});
@@ -64,8 +64,8 @@ TEST(DirectionTable, EightSamplesAreThoseOfEach) {
     }
 }
 
-TEST(DirectionTable, SampleReportsThePdfOfItsDirection) {
-    const DirectionTable t = table();
+TEST(DirectionDistribution, SampleReportsThePdfOfItsDirection) {
+    const DirectionDistribution t = table();
     int inside = 0;
     constexpr int kCount = 10000;
     for (int i = 0; i < kCount; ++i) {
@@ -80,8 +80,8 @@ TEST(DirectionTable, SampleReportsThePdfOfItsDirection) {
 
 // Pearson's chi-square over 16 x 8 cells of azimuth and height with 2^16 independent samples: the
 // statistic has mean k - 1 and variance 2 (k - 1); 5 standard deviations, with a fixed seed.
-TEST(DirectionTable, SamplesFollowThePdf) {
-    const DirectionTable t = table();
+TEST(DirectionDistribution, SamplesFollowThePdf) {
+    const DirectionDistribution t = table();
     constexpr int kColumns = 16, kRows = 8, kSub = 40, kCount = 1 << 16;
     std::vector<double> expected(kColumns * kRows), seen(kColumns * kRows);
     for (int i = 0; i < kColumns * kSub * kRows * kSub; ++i) {
@@ -115,8 +115,8 @@ TEST(DirectionTable, SamplesFollowThePdf) {
     EXPECT_LT(statistic, cells - 1 + 5 * std::sqrt(2.0 * (cells - 1)));
 }
 
-TEST(DirectionTable, BlackEnvironmentIsSampledUniformly) {
-    const DirectionTable t(8, 4, [](Vec3f) { return 0.0f; });
+TEST(DirectionDistribution, BlackEnvironmentIsSampledUniformly) {
+    const DirectionDistribution t(8, 4, [](Vec3f) { return 0.0f; });
     EXPECT_EQ(t.mean_brightness(), 0);
     const DirectionSample<float> s = t.sample({0.3f, 0.7f});
     EXPECT_GT(s.pdf, 0);
@@ -124,8 +124,8 @@ TEST(DirectionTable, BlackEnvironmentIsSampledUniformly) {
 }
 
 // The density is not: it goes with the map to the square, by a factor of two within a cell.
-TEST(DirectionTable, AnEvenSkyIsEven) {
-    const DirectionTable t(1, 1, [](Vec3f) { return 3.0f; });
+TEST(DirectionDistribution, AnEvenSkyIsEven) {
+    const DirectionDistribution t(1, 1, [](Vec3f) { return 3.0f; });
     for (std::uint32_t i = 0; i < 100; ++i) {
         const auto u = PathSampler(0, 4, i).draw(0);
         const DirectionSample<float> s = t.sample({u[0], u[1]});
@@ -134,8 +134,8 @@ TEST(DirectionTable, AnEvenSkyIsEven) {
     }
 }
 
-TEST(DirectionTable, MeanBrightnessIsTheMeanOverTheSphere) {
-    const DirectionTable t(64, 64, [](Vec3f d) { return d.z * d.z; });
+TEST(DirectionDistribution, MeanBrightnessIsTheMeanOverTheSphere) {
+    const DirectionDistribution t(64, 64, [](Vec3f d) { return d.z * d.z; });
     EXPECT_NEAR(t.mean_brightness(), 1.0 / 3, 1e-3);
 }
 

@@ -1,4 +1,4 @@
-#include "nacre/render/direction_table.h"
+#include "nacre/render/direction_distribution.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +68,8 @@ double accumulate(const std::vector<double>& weights, float* cdf) {
 
 }  // namespace
 
-DirectionTable::DirectionTable(int columns, int rows, const std::function<float(Vec3f)>& brightness)
+DirectionDistribution::DirectionDistribution(int columns, int rows,
+                                             const std::function<float(Vec3f)>& brightness)
     : columns_(columns),
       rows_(rows),
       density_(static_cast<std::size_t>(columns) * rows),
@@ -124,18 +125,18 @@ DirectionTable::DirectionTable(int columns, int rows, const std::function<float(
 }
 
 template <class T>
-Vec2<T> DirectionTable::to_square(const Vec3<T>& d) {
+Vec2<T> DirectionDistribution::to_square(const Vec3<T>& d) {
     const T sum = max_lanes(d.x, -d.x) + max_lanes(d.y, -d.y);
     const T t = d.y / sum;
     const T right = d.y >= 0 ? t : 4 + t;
     const T quarter_turns = d.x >= 0 ? right : 2 - t;  // [0, 4]
     return {sum > 0 ? 0.25f * quarter_turns : T{}, clamped(0.5f * (1 - d.z), 0, 1)};
 }
-template Vec2f DirectionTable::to_square(const Vec3f&);
-template Vec2<FloatLanes> DirectionTable::to_square(const Vec3Lanes&);
+template Vec2f DirectionDistribution::to_square(const Vec3f&);
+template Vec2<FloatLanes> DirectionDistribution::to_square(const Vec3Lanes&);
 
 template <class T>
-Vec3<T> DirectionTable::from_square(Vec2<T> square) {
+Vec3<T> DirectionDistribution::from_square(Vec2<T> square) {
     const T quarter_turns = 4 * square.x;
     const auto quadrant = min_lanes(whole(quarter_turns), whole(T{}) + 3);
     const T t = quarter_turns - to_float(quadrant);
@@ -147,10 +148,10 @@ Vec3<T> DirectionTable::from_square(Vec2<T> square) {
     const T x = (quadrant & 1) == 0 ? a : b, y = (quadrant & 1) == 0 ? b : a;
     return {((quadrant + 1) & 2) != 0 ? -x : x, quadrant > 1 ? -y : y, z};
 }
-template Vec3f DirectionTable::from_square(Vec2f);
+template Vec3f DirectionDistribution::from_square(Vec2f);
 
 template <class T>
-DirectionSample<T> DirectionTable::sample_at(Vec2<T> u) const {
+DirectionSample<T> DirectionDistribution::sample_at(Vec2<T> u) const {
     const auto row = invert(row_cdf_.data(), row_guide_.data(), rows_, whole(T{}), u.y);
     const auto column = invert(column_cdf_.data(), column_guide_.data(), columns_, row.cell, u.x);
     const Vec3<T> direction =
@@ -160,11 +161,11 @@ DirectionSample<T> DirectionTable::sample_at(Vec2<T> u) const {
     return {direction, gather(density_.data(), cell) * jacobian(direction),
             gather(brightness_.data(), cell)};
 }
-template DirectionSample<float> DirectionTable::sample_at(Vec2f) const;
-template DirectionSample<FloatLanes> DirectionTable::sample_at(Vec2<FloatLanes>) const;
+template DirectionSample<float> DirectionDistribution::sample_at(Vec2f) const;
+template DirectionSample<FloatLanes> DirectionDistribution::sample_at(Vec2<FloatLanes>) const;
 
 template <class T>
-auto DirectionTable::cell_of(const Vec3<T>& direction) const -> decltype(whole(T{})) {
+auto DirectionDistribution::cell_of(const Vec3<T>& direction) const -> decltype(whole(T{})) {
     const Vec2<T> square = to_square(direction);
     const auto below = [](const T& x, int count) {
         return min_lanes(whole(x * static_cast<float>(count)), whole(T{}) + (count - 1));
@@ -172,14 +173,14 @@ auto DirectionTable::cell_of(const Vec3<T>& direction) const -> decltype(whole(T
     return below(square.y, rows_) * columns_ + below(square.x, columns_);
 }
 
-template int DirectionTable::cell_of(const Vec3f&) const;
-template IntLanes DirectionTable::cell_of(const Vec3Lanes&) const;
+template int DirectionDistribution::cell_of(const Vec3f&) const;
+template IntLanes DirectionDistribution::cell_of(const Vec3Lanes&) const;
 
 template <class Cell, class T>
-T DirectionTable::pdf_in(const Cell& cell, const Vec3<T>& direction) const {
+T DirectionDistribution::pdf_in(const Cell& cell, const Vec3<T>& direction) const {
     return gather(density_.data(), cell) * jacobian(direction);
 }
-template float DirectionTable::pdf_in(const int&, const Vec3f&) const;
-template FloatLanes DirectionTable::pdf_in(const IntLanes&, const Vec3Lanes&) const;
+template float DirectionDistribution::pdf_in(const int&, const Vec3f&) const;
+template FloatLanes DirectionDistribution::pdf_in(const IntLanes&, const Vec3Lanes&) const;
 
 }  // namespace nacre::render

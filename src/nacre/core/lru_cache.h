@@ -14,13 +14,13 @@ namespace nacre {
 ///
 /// @tparam Key  compared by ==
 template <class Key, class Value>
-class RecentResults {
+class LruCache {
  public:
     using Size = std::size_t (*)(const Value&);
 
     /// @param capacity  of the sizes of all values together; one larger than that is not kept
     /// @param size      of a value; none: 1
-    explicit RecentResults(std::size_t capacity, Size size = nullptr)
+    explicit LruCache(std::size_t capacity, Size size = nullptr)
         : capacity_(capacity), size_(size) {}
 
     /// The value kept for this key, else make().

@@ -1,4 +1,4 @@
-#include "nacre/core/order_free_sum.h"
+#include "nacre/core/reproducible_sum.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ Sum sum_of(const std::vector<float>& values) {
     return sum;
 }
 
-TEST(OrderFreeSum, DependsNeitherOnOrderNorOnGroups) {
+TEST(ReproducibleSum, DependsNeitherOnOrderNorOnGroups) {
     std::vector<float> values = numbers();
     const LightSum whole = sum_of<LightSum>(values);
     std::sort(values.begin(), values.end());
@@ -53,7 +53,7 @@ TEST(OrderFreeSum, DependsNeitherOnOrderNorOnGroups) {
     }
 }
 
-TEST(OrderFreeSum, IsExactWhereTheStepIsFineEnough) {
+TEST(ReproducibleSum, IsExactWhereTheStepIsFineEnough) {
     LightSum sum;
     double expected = 0;
     for (const float value : numbers()) {
@@ -70,7 +70,7 @@ TEST(OrderFreeSum, IsExactWhereTheStepIsFineEnough) {
     EXPECT_EQ(small.value(), 0) << "rounded towards 0 on both sides";
 }
 
-TEST(OrderFreeSum, HoldsTheLargestAndTheMost) {
+TEST(ReproducibleSum, HoldsTheLargestAndTheMost) {
     LightSum light;
     const float largest = std::nextafter(0x1p55f, 0.0f);
     for (int i = 0; i < 1 << 24; ++i) light.add(largest);
