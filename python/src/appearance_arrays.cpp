@@ -107,7 +107,8 @@ nb::dict to_dict(NacreArrays&& a) {
         layers.append(layer_arrays(std::move(layer), directions, w));
     }
     d["layers"] = layers;
-    d["probability"] = array(std::move(a.probability), {directions, 4});
+    const std::size_t sampled = a.probability.empty() ? 0 : directions;
+    d["probability"] = array(std::move(a.probability), {sampled, 4});
     d["albedo"] = by_direction(std::move(a.albedo));
     d["masking_over_cosine"] = to_numpy(std::move(a.masking_over_cosine));
     d["masked"] = by_direction(std::move(a.masked));
@@ -141,18 +142,21 @@ nb::dict to_dict(NacreArrays&& a) {
     return d;
 }
 
-NacreArrays arrays_of(const PaintHandle& handle, const Model& model, const nb::object& progress) {
-    return run(progress, [&](const Progress& ask) { return handle.paint.arrays(model, ask); });
+NacreArrays arrays_of(const PaintHandle& handle, const Model& model, bsdf::ArrayParts parts,
+                      const nb::object& progress) {
+    return run(progress, [&](const Progress& ask) { return handle.paint.arrays(model, parts, ask); });
 }
 
-nb::dict appearance_arrays(const PaintHandle& handle, const Model& model,
+nb::dict appearance_arrays(const PaintHandle& handle, const Model& model, bool mean,
                            const nb::object& progress) {
-    return to_dict(arrays_of(handle, model, progress));
+    return to_dict(arrays_of(handle, model, mean ? bsdf::ArrayParts::mean : bsdf::ArrayParts::all,
+                             progress));
 }
 
 exchange::WebglShader webgl_shader(const PaintHandle& handle, const Model& model,
                                    const nb::object& progress) {
-    return exchange::make_webgl_shader(arrays_of(handle, model, progress));
+    return exchange::make_webgl_shader(
+        arrays_of(handle, model, bsdf::ArrayParts::all, progress));
 }
 
 /// (N, 3) of two directions each, unit vectors above the surface.
@@ -174,7 +178,8 @@ void bind_appearance_arrays(nb::module_& module) {
     nb::class_<exchange::WebglShader>(module, "WebglShader")
         .def("brdf", &webgl_brdf, "wi"_a, "wo"_a);
     module.def("webgl_shader", &webgl_shader, "paint"_a, "model"_a, "progress"_a.none());
-    module.def("appearance_arrays", &appearance_arrays, "paint"_a, "model"_a, "progress"_a.none());
+    module.def("appearance_arrays", &appearance_arrays, "paint"_a, "model"_a, "mean"_a,
+               "progress"_a.none());
 }
 
 }  // namespace nacre::python

@@ -87,7 +87,7 @@ def particles(recipe: str) -> dict[str, Any]:
     renderers get them."""
     paint = nacre.Paint.from_toml(f"ior = 1.5\n[[layer]]\nthickness_um = 20\n{recipe}")
     model = nacre.Model("microflake")
-    arrays = _nacre.appearance_arrays(paint._paint, model._model, None)
+    arrays = _nacre.appearance_arrays(paint._paint, model._model, True, None)
     layer = arrays["layers"][0]
     return {
         "nm": arrays["wavelengths_nm"],

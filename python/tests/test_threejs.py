@@ -39,7 +39,7 @@ def directions(count: int) -> tuple[Array, Array]:
 
 
 def shader_of(paint: nacre.Paint, model: str = "nacre") -> threejs_in_numpy.Shader:
-    arrays = _nacre.appearance_arrays(paint._paint, nacre.Model(model)._model, None)
+    arrays = _nacre.appearance_arrays(paint._paint, nacre.Model(model)._model, False, None)
     return threejs_in_numpy.Shader(arrays)
 
 

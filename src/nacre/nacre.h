@@ -58,6 +58,7 @@
 
 namespace nacre::bsdf {
 struct NacreArrays;  // bsdf/models/nacre_arrays.h
+enum class ArrayParts;
 }
 
 namespace nacre {
@@ -421,7 +422,8 @@ class Paint {
                                   const Progress& progress = {}) const;
     /// What such shaders, and renderers with programs of their own, compute the paint from.
     /// @throws as export_threejs()
-    bsdf::NacreArrays arrays(const Model& model, const Progress& progress = {}) const;
+    bsdf::NacreArrays arrays(const Model& model, bsdf::ArrayParts parts,
+                             const Progress& progress = {}) const;
     /// The bytes of a file of the solved paint. @throws as solved() and io::solved_paint_bytes()
     std::string export_solved(const SolveSettings& settings = {},
                               const Progress& progress = {}) const;

@@ -191,8 +191,9 @@ def make_plugin() -> Any:
 
         # From the recipe to the arrays
 
-        def _arrays(self, paint: Paint) -> Any:
-            return _nacre.appearance_arrays(paint._paint, self.model._model, None)
+        def _arrays(self, paint: Paint, *, mean: bool = True) -> Any:
+            """mean: without what samples and single flakes need, which takes most of the time."""
+            return _nacre.appearance_arrays(paint._paint, self.model._model, mean, None)
 
         def _build(self) -> None:
             paint, steps = self.paint, {}
@@ -206,7 +207,7 @@ def make_plugin() -> Any:
                     low, high = at * (1 - NEXT_STEP), at * (1 + NEXT_STEP)
                 steps[key] = low, high
                 paint = paint.with_values({key: at})
-            base = self._arrays(paint)
+            base = self._arrays(paint, mean=False)
             tangents = [
                 Tangent(
                     self.parameters[key] - dr.detach(self.parameters[key]),

@@ -174,22 +174,25 @@ FittedMaterial Paint::export_material(MaterialFormat format, const BrdfSettings&
     return made;
 }
 
-bsdf::NacreArrays Paint::arrays(const Model& model, const Progress& progress) const {
+bsdf::NacreArrays Paint::arrays(const Model& model, bsdf::ArrayParts parts,
+                                const Progress& progress) const {
     if (const auto* nacre = model.get<NacreModel>()) {
         const auto paint = solved({}, progress);
-        return state_->naming_file([&] { return bsdf::nacre_arrays(paint, *nacre, progress); });
+        return state_->naming_file(
+            [&] { return bsdf::nacre_arrays(paint, *nacre, parts, progress); });
     }
     const auto* microflake = model.get<MicroflakeModel>();
     if (!microflake || microflake->makes_table()) {
         throw SettingError("model", "must be nacre, or microflake without tables", model.text());
     }
     const auto paint = solved({}, progress);
-    return state_->naming_file([&] { return bsdf::microflake_arrays(paint); });
+    return state_->naming_file([&] { return bsdf::microflake_arrays(paint, parts); });
 }
 
 ShaderMaterial Paint::export_threejs(const std::optional<Model>& model,
                                      const Progress& progress) const {
-    const auto shader = exchange::make_webgl_shader(arrays(model.value_or(NacreModel{}), progress));
+    const auto shader = exchange::make_webgl_shader(
+        arrays(model.value_or(NacreModel{}), bsdf::ArrayParts::all, progress));
     const Readings paint = measure(
         exchange::shader_geometries(),
         {.model = NacreModel{}, .illuminant = Illuminant::D65, .observer = Observer::cie1931_2deg},

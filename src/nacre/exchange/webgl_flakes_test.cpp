@@ -278,7 +278,8 @@ TEST(WebglFlakes, AreLeftOutOfFilesOfOnePaint) {
     for (const double roughness : {0.0, 0.1}) {
         const auto paint = two_species(roughness);
         EXPECT_THAT(make_live_webgl_shader(paint).glsl, HasSubstr("#define NACRE_FLAKES 2\n"));
-        const WebglShader file = make_webgl_shader(bsdf::nacre_arrays(paint, bsdf::NacreModel{}));
+        const WebglShader file = make_webgl_shader(
+            bsdf::nacre_arrays(paint, bsdf::NacreModel{}, bsdf::ArrayParts::mean));
         EXPECT_THAT(file.glsl, Not(HasSubstr("define NACRE_FLAKES")));
         EXPECT_THAT(file.glsl, Not(HasSubstr("nacreRest")));
     }

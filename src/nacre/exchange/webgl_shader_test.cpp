@@ -105,7 +105,7 @@ TEST(WebglShader, ColoursAreThoseOfTheSolvedPaint) {
         recipe.clearcoat->roughness = roughness;
         const auto paint = solved(recipe);
         // Without the hot spot, which the solved paint does not have.
-        const WebglShader shader = make_webgl_shader(bsdf::microflake_arrays(paint));
+        const WebglShader shader = make_webgl_shader(bsdf::microflake_arrays(paint, bsdf::ArrayParts::mean));
         const std::vector<Vec3d> weights = spectra::rec709_weights(paint->wavelengths_nm());
         double largest = 0, worst = 0;
         int count = 0;
@@ -138,7 +138,7 @@ TEST(WebglShader, ColoursAreThoseOfTheSolvedPaint) {
 TEST(WebglShader, ColoursUnderALampAreThoseOfItsSpectrum) {
     using spectra::Illuminant, spectra::Observer;
     const auto paint = solved(rich_paint(0.6));
-    const auto arrays = bsdf::microflake_arrays(paint);
+    const auto arrays = bsdf::microflake_arrays(paint, bsdf::ArrayParts::mean);
     const WebglShader daylight = make_webgl_shader(arrays);
     const std::vector<double>& nm = paint->wavelengths_nm();
     std::vector<double> fine_nm;

@@ -151,37 +151,48 @@ NacreArrays::Species species_arrays(const NacreSpecies& species) {
     return out;
 }
 
+NacreArrays arrays_of(const Microflake::Tables& smooth, const HotSpotTables* hot_spot,
+                      const std::vector<NacreSpecies>& all_species) {
+    NacreArrays out = arrays_of(smooth);
+    if (hot_spot) out.hot_spot = hot_spot_arrays(*hot_spot);
+    for (const NacreSpecies& species : all_species) out.species.push_back(species_arrays(species));
+    return out;
+}
+
+NacreArrays mean_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
+                        const NacreModel& settings) {
+    std::optional<HotSpotTables> hot_spot;
+    if (settings.hot_spot) hot_spot.emplace(*paint);
+    const Microflake::Tables smooth =
+        hot_spot ? Microflake::Tables(with_rough_hot_spot(paint, *hot_spot), hot_spot->extinction())
+                 : Microflake::Tables(paint);
+    const SpeciesFilms alike(flake_fractions(smooth).size());
+    return arrays_of(smooth, hot_spot ? &*hot_spot : nullptr,
+                     nacre_species(smooth, settings.specimen, alike));
+}
+
 }  // namespace
 
-NacreArrays microflake_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint) {
+NacreArrays microflake_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
+                              ArrayParts parts) {
     require_even_coat(*paint);
-    return arrays_of(Microflake(paint).tables());
+    if (parts == ArrayParts::mean) return arrays_of(Microflake::Tables(paint));
+    const Microflake surface(paint);
+    return arrays_of(surface.tables());
 }
 
 NacreArrays nacre_live_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
                               std::uint64_t specimen) {
-    const HotSpotTables hot_spot(*paint);
-    const Microflake::Tables tables(with_rough_hot_spot(paint, hot_spot), hot_spot.extinction());
-    NacreArrays out = arrays_of(tables);
-    out.hot_spot = hot_spot_arrays(hot_spot);
-    const std::size_t count = flake_fractions(tables).size();
-    for (const NacreSpecies& species : nacre_species(tables, specimen, SpeciesFilms(count))) {
-        out.species.push_back(species_arrays(species));
-    }
-    return out;
+    return mean_arrays(paint, {.specimen = specimen});
 }
 
 NacreArrays nacre_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
-                         const NacreModel& settings, const Progress& progress) {
+                         const NacreModel& settings, ArrayParts parts, const Progress& progress) {
     require_even_coat(*paint);
+    if (parts == ArrayParts::mean) return mean_arrays(paint, settings);
     const Nacre surface(paint, settings, progress);
     const Nacre::Tables& tables = surface.tables();
-    NacreArrays out = arrays_of(*tables.smooth);
-    if (tables.hot_spot) out.hot_spot = hot_spot_arrays(*tables.hot_spot);
-    for (const NacreSpecies& species : tables.species) {
-        out.species.push_back(species_arrays(species));
-    }
-    return out;
+    return arrays_of(*tables.smooth, tables.hot_spot ? &*tables.hot_spot : nullptr, tables.species);
 }
 
 }  // namespace nacre::bsdf

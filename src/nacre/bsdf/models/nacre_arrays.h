@@ -51,7 +51,7 @@ struct NacreArrays {
 
     /// (D, 4): probabilities with which Nacre draws from the interface, from all else by a table,
     /// and evenly, and the fraction of what the table stands for that is scattered once; and (D, W)
-    /// directional albedo.
+    /// directional albedo. Both are empty of ArrayParts::mean.
     std::vector<float> probability, albedo;
 
     /// A rough interface: masking over the cosine (D,), what is masked (D, W), and the scale of the
@@ -85,17 +85,25 @@ struct NacreArrays {
     std::vector<Species> species;  ///< of `nacre`: those of all layers, one after the other
 };
 
+/// What of the arrays is made.
+enum class ArrayParts {
+    all,
+    mean  ///< in a fraction of the time: without `probability`, `albedo` and the films of single
+          ///< flakes, which are all alike
+};
+
 /// @throws Error, DomainError, Stopped as Nacre's constructor; DomainError if the recipe has an
 ///         orange_peel or a coat_spread(), which the arrays do not hold
 NacreArrays nacre_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
-                         const NacreModel& settings, const Progress& progress = {});
-/// Those of `nacre` for pictures that follow a slider, in a fraction of the time: without
-/// `probability`, `albedo` and the films of single flakes, which are all alike. Waves of the coat
-/// (orange_peel) and the spread of its thickness are left out.
+                         const NacreModel& settings, ArrayParts parts = ArrayParts::all,
+                         const Progress& progress = {});
+/// ArrayParts::mean of `nacre` for pictures that follow a slider. Waves of the coat (orange_peel) and
+/// the spread of its thickness are left out.
 /// @throws Error as HotSpotTables; DomainError as FlakeField
 NacreArrays nacre_live_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
                               std::uint64_t specimen);
 /// Without hot spot and species. @throws Error as Microflake's constructor; DomainError as above
-NacreArrays microflake_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint);
+NacreArrays microflake_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
+                              ArrayParts parts = ArrayParts::all);
 
 }  // namespace nacre::bsdf

@@ -122,5 +122,38 @@ TEST(NacreFlakes, ArraysTellPlanesFromTheirWaves) {
     EXPECT_DOUBLE_EQ(arrays.layers[0].flakes[0].alpha, std::hypot(0.2, 0.1));
 }
 
+TEST(NacreFlakes, ArraysOfTheMeanAreThoseOfAll) {
+    for (const double roughness : {0.0, 0.15}) {
+        paint::FlakeSpecies pearl = pearl_flake(15);
+        std::get<optics::Platelet>(pearl.body).coats[0].spread.standard_deviation_nm = 8;
+        paint::Recipe recipe = paint_of({metal_flake(20, 0.7, 0.2), pearl});
+        recipe.clearcoat = paint::Clearcoat{40, 1.0, roughness};
+        const auto paint = std::make_shared<const solver::SolvedPaint>(
+            solver::solve(recipe, std::vector<double>{450, 550, 650}));
+        const NacreArrays all = nacre_arrays(paint, {}),
+                          mean = nacre_arrays(paint, {}, ArrayParts::mean);
+        EXPECT_FALSE(all.probability.empty() || all.albedo.empty());
+        EXPECT_TRUE(mean.probability.empty() && mean.albedo.empty());
+        ASSERT_EQ(all.species.size(), 2u);
+        ASSERT_EQ(mean.species.size(), 2u);
+        EXPECT_GT(all.species[1].film_sets, 0);
+        EXPECT_EQ(mean.species[1].film_sets, 0);
+        EXPECT_EQ(mean.species[0].field.key, all.species[0].field.key);
+        EXPECT_EQ(mean.smooth, all.smooth);
+        EXPECT_EQ(mean.smooth_basis, all.smooth_basis);
+        EXPECT_EQ(mean.layers[0].extinction_per_um, all.layers[0].extinction_per_um);
+        EXPECT_EQ(mean.layers[0].flakes[1].reflectance, all.layers[0].flakes[1].reflectance);
+        EXPECT_EQ(mean.masked, all.masked);
+        ASSERT_TRUE(mean.hot_spot && all.hot_spot);
+        EXPECT_EQ(mean.hot_spot->species[0].coupling, all.hot_spot->species[0].coupling);
+        EXPECT_EQ(mean.hot_spot->closing, all.hot_spot->closing);
+
+        const NacreArrays without = nacre_arrays(paint, {.hot_spot = false}, ArrayParts::mean);
+        EXPECT_FALSE(without.hot_spot);
+        EXPECT_EQ(without.smooth, microflake_arrays(paint, ArrayParts::mean).smooth);
+        EXPECT_EQ(without.smooth, microflake_arrays(paint).smooth);
+    }
+}
+
 }  // namespace
 }  // namespace nacre::bsdf
