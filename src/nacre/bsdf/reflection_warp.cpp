@@ -1,7 +1,9 @@
 #include "nacre/bsdf/reflection_warp.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "nacre/bsdf/flake_lobe.h"
@@ -41,36 +43,52 @@ std::vector<float> tabulate(float ior, float alpha, const ReflectionWarp::Flux& 
         const float inverse = 1 / (1 + x * x);
         const Vec3f wi = {2 * x * inverse, 0, (1 - x * x) * inverse};
         const Vec3f inside = refract_in(wi, 1 / ior);
-        // Per unit square, 0 where light does not leave.
-        const auto flux_at = [&](float u, float v) {
+        // Where a point of the unit square takes light, and the solid angle there per unit square.
+        struct Place {
+            Vec3f wo;
+            float solid_angle;
+        };
+        const auto place_of = [&](float u, float v) -> std::optional<Place> {
             const float scaled = end * u, slope = alpha * scaled / (1 - scaled);
             const Azimuth azimuth = azimuth_at(v);
             const Vec3f m = normalize(Vec3f{-slope * azimuth.cosine, slope * azimuth.sine, 1.0f});
             const Vec3f out = 2 * dot(inside, m) * m - inside;
-            if (out.z <= 0) return 0.0f;
+            if (out.z <= 0) return std::nullopt;
             const auto wo = refract_out(out, ior);
-            if (!wo || wo->z < 1e-4f) return 0.0f;
+            if (!wo || wo->z < 1e-4f) return std::nullopt;
             const float slopes = slope * alpha * end / ((1 - scaled) * (1 - scaled)) * azimuth.rate;
             // Solid angles outside per area of slopes: see ReflectionWarp::slope_pdf.
             const float z = inside.z + out.z, sec2 = 1 + slope * slope;
             const float angles = ior * ior * out.z / wo->z * 2 * z / sec2;
-            return 2 * flux(wi, *wo) * slopes * angles;
+            return Place{*wo, 2 * slopes * angles};
         };
         for (int r = 0; r < kRows; ++r) {
             for (int c = 1; c < kColumns; ++c) {  // the density of slopes vanishes at the first
-                // The mean about the node, so that cells at the edge of total reflection are not
-                // missed.
-                float sum = 0;
-                int count = 0;
+                const auto at = [&](float dc, float dr) {
+                    return place_of((c + dc) / (kColumns - 1), (r + dr) / (kRows - 1));
+                };
+                std::array<std::optional<Place>, 4> corners;
+                int within = 0, leave = 0;
                 for (const float dr : {-0.3f, 0.3f}) {
                     for (const float dc : {-0.3f, 0.3f}) {
-                        const float u = (c + dc) / (kColumns - 1), v = (r + dr) / (kRows - 1);
-                        if (u >= 1 || v < 0 || v >= 1) continue;
-                        sum += flux_at(u, v);
-                        ++count;
+                        if (c + dc >= kColumns - 1 || r + dr < 0 || r + dr >= kRows - 1) continue;
+                        if ((corners[within++] = at(dc, dr))) ++leave;
                     }
                 }
-                values[(slice * kRows + r) * kColumns + c] = std::max(0.0f, sum / count);
+                float sum = 0;
+                const auto add = [&](const Place& place) {
+                    sum += flux(wi, place.wo) * place.solid_angle;
+                };
+                // The mean about the node where light leaves in part, so that cells at the edge of
+                // total reflection are not missed.
+                if (leave == 4) {
+                    within = 1;
+                    add(*at(0, 0));
+                } else {
+                    for (int k = 0; k < within; ++k)
+                        if (corners[k]) add(*corners[k]);
+                }
+                values[(slice * kRows + r) * kColumns + c] = std::max(0.0f, sum / within);
             }
         }
     });
