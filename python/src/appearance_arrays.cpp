@@ -144,19 +144,19 @@ nb::dict to_dict(NacreArrays&& a) {
 
 NacreArrays arrays_of(const PaintHandle& handle, const Model& model, bsdf::ArrayParts parts,
                       const nb::object& progress) {
-    return run(progress, [&](const Progress& ask) { return handle.paint.arrays(model, parts, ask); });
+    return run(progress,
+               [&](const Progress& ask) { return handle.paint.arrays(model, parts, ask); });
 }
 
 nb::dict appearance_arrays(const PaintHandle& handle, const Model& model, bool mean,
                            const nb::object& progress) {
-    return to_dict(arrays_of(handle, model, mean ? bsdf::ArrayParts::mean : bsdf::ArrayParts::all,
-                             progress));
+    return to_dict(
+        arrays_of(handle, model, mean ? bsdf::ArrayParts::mean : bsdf::ArrayParts::all, progress));
 }
 
 exchange::WebglShader webgl_shader(const PaintHandle& handle, const Model& model,
                                    const nb::object& progress) {
-    return exchange::make_webgl_shader(
-        arrays_of(handle, model, bsdf::ArrayParts::all, progress));
+    return exchange::make_webgl_shader(arrays_of(handle, model, bsdf::ArrayParts::all, progress));
 }
 
 /// (N, 3) of two directions each, unit vectors above the surface.

@@ -59,7 +59,7 @@
 namespace nacre::bsdf {
 struct NacreArrays;  // bsdf/models/nacre_arrays.h
 enum class ArrayParts;
-}
+}  // namespace nacre::bsdf
 
 namespace nacre {
 

@@ -114,10 +114,10 @@ class Field:
         of_coat = self.coat.spread2(mu_i, mu_o) if self.coat.rough else 0
         return of_coat + self.waviness2
 
-    def answer_factor(
+    def resolved_factor(
         self, levels: Levels, exponent: Float, scale: Float, spread2: Float | None
     ) -> Float:
-        """FlakeView::answer_factor(); spread2: None where nothing but diffraction spreads light."""
+        """FlakeView::resolved_factor(); spread2: None where nothing but diffraction spreads light."""
         radius = self.typical_radius * scale
         radius2 = radius * radius
         if spread2 is None:

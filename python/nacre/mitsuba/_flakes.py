@@ -85,7 +85,7 @@ class Sparkle(MeanFlakes):
         scale = field.widening(1 + pair.slope2, pair.cosine)
         spread2 = field.spread2(pair.i.inside.z, pair.o.inside.z) if field.spreads else None
         added2 = 0 if spread2 is None else levels.widening**2 * added_radius2(spread2)
-        part = dr.select(reaches, field.answer_factor(levels, exponent, scale, spread2), 0)
+        part = dr.select(reaches, field.resolved_factor(levels, exponent, scale, spread2), 0)
         beckmann = dr.inv_pi / alpha2 * dr.exp(-dr.minimum(exponent, MAX_EXPONENT))
         widest = field.max_width * field.alpha
         hot_spot = model.hot_spot

@@ -66,7 +66,7 @@ Frames answer(const RenderRequest& request, const Context& context) {
     // Each share has one sample a pixel; the sum of all is the picture of `nacre render`, bit for
     // bit.
     render::RenderSums sums(settings);
-    int next = render::samples_between_asking(request.samples);
+    int next = render::flake_sampling_stride(request.samples);
     for (int sample = 1; sample <= request.samples; ++sample) {
         sums.add(scene.render_share(settings, {sample, request.samples}, context.progress).sums);
         if (sample != next && sample != request.samples) continue;

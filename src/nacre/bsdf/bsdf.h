@@ -67,8 +67,8 @@ T power_heuristic(const T& own, const T& other) {
     return 1.0f / (1.0f + ratio * ratio);
 }
 
-/// A flake of a patch, asked where the light that it reflects comes from (BoundBsdf::ask_flakes).
-struct AskedFlake {
+/// A direction from which a flake of a patch may reflect light (BoundBsdf::sample_flakes).
+struct FlakeSample {
     Vec3f wo;       ///< a direction out of its lobe
     float pdf = 0;  ///< directions of this flake in all, per solid angle at wo
     /// Nearly in proportion to flake_weight(), as an eye sees it: to choose among flakes by.
@@ -78,15 +78,15 @@ struct AskedFlake {
 };
 
 /// Eight of one species; those whose strength is 0 send no light.
-struct AskedFlakes {
+struct FlakeSamples {
     Vec3Lanes wo;
     FloatLanes pdf, strength;
     std::array<FloatLanes, kLanes> colour;  ///< by flake
-    IntLanes number;                        ///< AskedFlake::flake
+    IntLanes number;                        ///< FlakeSample::flake
     int species;
 
-    AskedFlakes() {}  // no value: all of it is written before it is read
-    AskedFlake flake(int lane) const {
+    FlakeSamples() {}  // no value: all of it is written before it is read
+    FlakeSample flake(int lane) const {
         return {nacre::lane(wo, lane), pdf[lane],   strength[lane], species,
                 number[lane],          colour[lane]};
     }
@@ -94,8 +94,8 @@ struct AskedFlakes {
 
 /// Has turn(wo, pdf) change both of each flake; one for which it is false sends no light.
 template <class Turn>
-void for_each_asked(std::vector<AskedFlakes>& list, Turn&& turn) {
-    for (AskedFlakes& flakes : list) {
+void for_each_sample(std::vector<FlakeSamples>& list, Turn&& turn) {
+    for (FlakeSamples& flakes : list) {
         for (int i = 0; i < kLanes; ++i) {
             if (flakes.strength[i] == 0) continue;
             Vec3f wo = lane(flakes.wo, i);
@@ -126,9 +126,9 @@ class PatchMemory {
     std::byte* data() { return blocks_.empty() ? nullptr : blocks_[0].bytes; }
     /// Bits set by the surface once parts of data() tell about the patch.
     unsigned filled = 0;
-    /// Room for the flakes of a patch that are asked, and two numbers for each; kept from patch to
+    /// Room for the flakes of a patch that are sampled, and two numbers for each; kept from patch to
     /// patch, so that nothing is allocated once the largest has been seen.
-    std::vector<AskedFlakes> asked;
+    std::vector<FlakeSamples> flake_samples;
     std::vector<FloatLanes> brightness, strength;
 
  private:
@@ -178,11 +178,11 @@ struct Patch {
     /// What evaluate_on() and sample_on() show of single flakes.
     enum class Flakes {
         shown,    ///< all that there is
-        apart,    ///< none: they are asked one by one, by ask_flakes() and flakes_at()
-        left_out  ///< none: another sample asks those of this patch
+        sampled,  ///< none: they are sampled one by one, by sample_flakes() and flakes_at()
+        left_out  ///< none: another sample of the pixel has those of this patch
     };
     Flakes flakes = Flakes::shown;
-    /// Where flakes are apart or left out: the density of directions over a light narrower than
+    /// Where flakes are sampled or left out: the density of directions over a light narrower than
     /// their lobes (BoundBsdf::narrow_light_pdf()), the inverse of its solid angle; 0 for other light.
     /// Of such light the flakes that stand for others show as many flashes as there are.
     float narrow_light_pdf = 0;
@@ -240,26 +240,26 @@ class BoundBsdf {
         return sample(wi, u_select, u);
     }
 
-    /// Whether the light of single flakes can be had apart (Patch::Flakes).
-    virtual bool tells_flakes_apart() const { return false; }
+    /// Whether single flakes can be sampled one by one (Patch::Flakes).
+    virtual bool samples_flakes() const { return false; }
     /// The density of directions over a light, per solid angle, above which it is narrower than the
     /// lobes of single flakes: then it is for light samples alone to find it.
     virtual float narrow_light_pdf(Vec3f /*wi*/) const {
         return std::numeric_limits<float>::infinity();
     }
-    /// Asks the flakes of a patch: draws a direction out of the lobe of each, or several out of a wide
+    /// Samples the flakes of a patch: draws a direction from the lobe of each, or several from a wide
     /// one, with 32 random bits, for a list that is written anew. The sum of flake_weight() times
     /// the light from wo over the list estimates what the flakes reflect.
-    virtual void ask_flakes(const Patch&, Vec3f /*wi*/, std::uint32_t /*random*/,
-                            std::vector<AskedFlakes>& list) const {
+    virtual void sample_flakes(const Patch&, Vec3f /*wi*/, std::uint32_t /*random*/,
+                               std::vector<FlakeSamples>& list) const {
         list.clear();
     }
     /// f |cos| / pdf of the flake alone, at the direction that was drawn.
-    virtual FloatLanes flake_weight(const Patch&, Vec3f /*wi*/, const AskedFlake&) const {
+    virtual FloatLanes flake_weight(const Patch&, Vec3f /*wi*/, const FlakeSample&) const {
         return FloatLanes{};
     }
     /// f of the flakes of a patch for a direction that was drawn otherwise, with this density:
-    /// each weighed by power_heuristic() against ask_flakes(). Infinite: not weighed.
+    /// each weighed by power_heuristic() against sample_flakes(). Infinite: not weighed.
     virtual FloatLanes flakes_at(const Patch&, Vec3f /*wi*/, Vec3f /*wo*/, float /*pdf*/) const {
         return FloatLanes{};
     }

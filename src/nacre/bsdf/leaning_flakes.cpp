@@ -300,7 +300,7 @@ std::optional<BsdfSample> LeaningFlakes::sample_on(const Patch& patch, Vec3f wi,
         [&](Vec3f i, Vec3f o) { return beyond_on(patch, i, o); });
 }
 
-// Nobody asks flakes there, and of those that happen to be met by samples of wide light a few would
+// No flakes are sampled there, and of those that happen to be met by samples of wide light a few would
 // outshine the picture.
 bool LeaningFlakes::is_mean_beyond(const Patch& patch) {
     return patch.flakes != Patch::Flakes::shown && !(patch.narrow_light_pdf > 0);
@@ -315,15 +315,15 @@ float LeaningFlakes::narrow_light_pdf(Vec3f wi) const {
     return i ? flat_.narrow_light_pdf(i->flat) : std::numeric_limits<float>::infinity();
 }
 
-void LeaningFlakes::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
-                               std::vector<AskedFlakes>& list) const {
+void LeaningFlakes::sample_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
+                                  std::vector<FlakeSamples>& list) const {
     list.clear();
     const auto i = ray_of(wi);
-    // Where a pair stands for another nothing is asked: beyond_on() or flakes_at() has it all.
+    // Where a pair stands for another none is sampled: beyond_on() or flakes_at() has it all.
     if (!i || i->jacobian == 0) return;
-    flat_.ask_flakes(patch, i->flat, random, list);
+    flat_.sample_flakes(patch, i->flat, random, list);
     const float n = index_.mean;
-    for_each_asked(list, [&](Vec3f& wo, float& pdf) {
+    for_each_sample(list, [&](Vec3f& wo, float& pdf) {
         if (wo.z <= kMinFlatCosine) return false;
         const Vec3f there = refracted(wo, n), inside = lean_.from_flakes(there);
         const float x = n * inside.x, y = n * inside.y, cosine2 = 1 - x * x - y * y;
@@ -336,15 +336,15 @@ void LeaningFlakes::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t rando
 }
 
 FloatLanes LeaningFlakes::flake_weight(const Patch& patch, Vec3f wi,
-                                       const AskedFlake& flake) const {
+                                       const FlakeSample& flake) const {
     std::optional<Seen> room_i, room_o;
     const Seen *i = see(wi, room_i), *o = see(flake.wo, room_o);
     if (!i || !o || beyond_critical(*i, *o)) return FloatLanes{};
-    AskedFlake asked = flake;
-    asked.wo = o->flat;
-    asked.pdf = flake.pdf / o->jacobian;
+    FlakeSample in_flat = flake;
+    in_flat.wo = o->flat;
+    in_flat.pdf = flake.pdf / o->jacobian;
     // Its cosines are those to the flat paint.
-    return flat_.flake_weight(patch, i->flat, asked) * once_factor(*i, *o) *
+    return flat_.flake_weight(patch, i->flat, in_flat) * once_factor(*i, *o) *
            (o->inside.z / o->cosine);
 }
 

@@ -241,11 +241,11 @@ class AskedApart final : public Asked {
         const float left = patch.flakes == Patch::Flakes::shown ? 2 : 0.25f;
         return {left * eval(i, o), pdf(i, o)};
     }
-    bool tells_flakes_apart() const override { return true; }
+    bool samples_flakes() const override { return true; }
     FloatLanes flakes_at(const Patch&, Vec3f, Vec3f, float) const override { return splat(2.0f); }
 };
 
-// Beyond the critical angle no flake is asked: met by chance, with wide light, one alone would be a
+// Beyond the critical angle no flake is sampled: met by chance, with wide light, one alone would be a
 // speck. Narrow light is sampled by itself and meets all of them.
 TEST(LeaningFlakes, ShowTheirMeanUnderWideLightBeyondTheCriticalAngle) {
     using Flakes = Patch::Flakes;
@@ -262,9 +262,9 @@ TEST(LeaningFlakes, ShowTheirMeanUnderWideLightBeyondTheCriticalAngle) {
             return leaning.evaluate_on(patch, wi, wo).f[0];
         };
         EXPECT_FLOAT_EQ(left(Flakes::shown, 0), 2 * mean);
-        EXPECT_FLOAT_EQ(left(Flakes::apart, 1e4f), 0.25f * mean);
+        EXPECT_FLOAT_EQ(left(Flakes::sampled, 1e4f), 0.25f * mean);
         EXPECT_GT(leaning.flakes_at(patch, wi, wo, 1)[0], 0);
-        const float wide = left(Flakes::apart, 0);
+        const float wide = left(Flakes::sampled, 0);
         EXPECT_EQ(wide, left(Flakes::left_out, 0));
         if (leaning.flakes_at(patch, wi, wo, 1)[0] > 0) {
             EXPECT_FLOAT_EQ(wide, 0.25f * mean);

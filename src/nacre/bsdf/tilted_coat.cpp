@@ -287,13 +287,13 @@ float TiltedCoat::narrow_light_pdf(Vec3f wi) const {
     return i ? flat_.narrow_light_pdf(i->flat) : std::numeric_limits<float>::infinity();
 }
 
-void TiltedCoat::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
-                            std::vector<AskedFlakes>& list) const {
+void TiltedCoat::sample_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
+                               std::vector<FlakeSamples>& list) const {
     list.clear();
     const auto i = ray_of(wi);
     if (!i) return;
-    flat_.ask_flakes(patch, i->flat, random, list);
-    for_each_asked(list, [&](Vec3f& flake_wo, float& pdf) {
+    flat_.sample_flakes(patch, i->flat, random, list);
+    for_each_sample(list, [&](Vec3f& flake_wo, float& pdf) {
         const auto wo = leave(flake_wo);
         const auto o = wo ? ray_of(*wo) : std::nullopt;
         if (!o || o->jacobian == 0) return false;
@@ -303,19 +303,19 @@ void TiltedCoat::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
     });
 }
 
-FloatLanes TiltedCoat::flake_weight(const Patch& patch, Vec3f wi, const AskedFlake& flake) const {
+FloatLanes TiltedCoat::flake_weight(const Patch& patch, Vec3f wi, const FlakeSample& flake) const {
     const auto i = ray_of(wi), o = ray_of(flake.wo);
     if (!i || !o || o->jacobian == 0) return FloatLanes{};
-    AskedFlake asked = flake;
-    asked.wo = o->flat;
-    asked.pdf = flake.pdf / o->jacobian;
-    return flat_.flake_weight(patch, i->flat, asked) * transmittance(*i) * transmittance(*o);
+    FlakeSample in_flat = flake;
+    in_flat.wo = o->flat;
+    in_flat.pdf = flake.pdf / o->jacobian;
+    return flat_.flake_weight(patch, i->flat, in_flat) * transmittance(*i) * transmittance(*o);
 }
 
 FloatLanes TiltedCoat::flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float pdf) const {
     const auto i = ray_of(wi), o = ray_of(wo);
     if (!i || !o) return FloatLanes{};
-    // Beyond the flat coat's critical angle no flake is asked, and nothing is weighed.
+    // Beyond the flat coat's critical angle no flake is sampled, and nothing is weighed.
     const float flat_pdf =
         o->jacobian > 0 ? pdf / o->jacobian : std::numeric_limits<float>::infinity();
     return flat_.flakes_at(patch, i->flat, o->flat, flat_pdf) * transmittance(*i) *

@@ -62,11 +62,11 @@ class TiltedCoat final : public BoundBsdf {
     std::optional<BsdfSample> sample_on(const Patch& patch, Vec3f wi, float u_select,
                                         Vec2f u) const override;
 
-    bool tells_flakes_apart() const override { return flat_.tells_flakes_apart(); }
+    bool samples_flakes() const override { return flat_.samples_flakes(); }
     float narrow_light_pdf(Vec3f wi) const override;
-    void ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
-                    std::vector<AskedFlakes>& list) const override;
-    FloatLanes flake_weight(const Patch& patch, Vec3f wi, const AskedFlake& flake) const override;
+    void sample_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
+                       std::vector<FlakeSamples>& list) const override;
+    FloatLanes flake_weight(const Patch& patch, Vec3f wi, const FlakeSample& flake) const override;
     FloatLanes flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float pdf) const override;
     std::size_t patch_memory_bytes() const override { return flat_.patch_memory_bytes(); }
 

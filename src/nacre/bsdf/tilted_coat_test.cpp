@@ -262,15 +262,15 @@ TEST(TiltedCoat, NothingComesFromBelowEitherHorizon) {
                 away.sample(grazing, 0.5f, {0.3f, 0.4f}).has_value());
 }
 
-// What flakes give to light samples is what they give when asked: f cos over all that leaves a flat coat too.
-// Beyond its critical angle no flake is asked.
-TEST(TiltedCoat, FlakesAskedOneByOneGiveTheirLight) {
+// What flakes give to light samples is what they give when sampled: f cos over all that leaves a flat coat too.
+// Beyond its critical angle no flake is sampled.
+TEST(TiltedCoat, FlakesSampledOneByOneGiveTheirLight) {
     const SparklingModel model(paint_of({metal_flake(40, 0.7)}));
     Rng rng(3);
     PatchMemory memory(model.bound->patch_memory_bytes());
     Patch patch = random_square_patch(rng, 0.2);
     patch.memory = &memory;
-    patch.flakes = Patch::Flakes::apart;
+    patch.flakes = Patch::Flakes::sampled;
     const Vec3f wi = direction(30, 20);
     const TiltedCoat coat(*model.bound, {0.06f, -0.04f}, wi);
     const float ior = coat.binder_index().mean;
@@ -292,18 +292,19 @@ TEST(TiltedCoat, FlakesAskedOneByOneGiveTheirLight) {
             sum += kArea * coat.flakes_at(patch, wi, wo, std::numeric_limits<float>::infinity())[3];
         }
     }
-    std::vector<AskedFlake> list;
+    std::vector<FlakeSample> list;
     std::vector<double> light;
     for (int time = 0; time < 400; ++time) {
-        list = asked_flakes(coat, patch, wi, static_cast<std::uint32_t>(hash_of(time)));
+        list = flake_samples(coat, patch, wi, static_cast<std::uint32_t>(hash_of(time)));
         light.push_back(0);
-        for (const AskedFlake& flake : list) light.back() += coat.flake_weight(patch, wi, flake)[3];
+        for (const FlakeSample& flake : list)
+            light.back() += coat.flake_weight(patch, wi, flake)[3];
     }
-    const test::Moments asked(light);
+    const test::Moments sampled(light);
     ASSERT_GT(list.size(), 5u);
-    ASSERT_GT(asked.mean, 0.02);
+    ASSERT_GT(sampled.mean, 0.02);
     // 1 %: the wings of a flake's pattern are drawn more rarely than they are bright.
-    EXPECT_NEAR(asked.mean, sum, test::kWorstZ * asked.mean_error + 0.01 * sum);
+    EXPECT_NEAR(sampled.mean, sum, test::kWorstZ * sampled.mean_error + 0.01 * sum);
 }
 
 }  // namespace

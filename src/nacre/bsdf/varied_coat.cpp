@@ -45,7 +45,7 @@ MultiplyScattered VariedCoat::multiply_scattered(Vec3f wi, Vec3f wo) const {
             mean.no_internal_reflection * once_each_way};
 }
 
-FloatLanes VariedCoat::flake_weight(const Patch& patch, Vec3f wi, const AskedFlake& flake) const {
+FloatLanes VariedCoat::flake_weight(const Patch& patch, Vec3f wi, const FlakeSample& flake) const {
     return mean_.flake_weight(patch, wi, flake) * mean_.coat_factor(wi, flake.wo, deviation_);
 }
 

@@ -24,7 +24,7 @@ class VariedCoat final : public BoundBsdf {
     std::optional<BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const override;
     std::optional<BsdfSample> sample_on(const Patch& patch, Vec3f wi, float u_select,
                                         Vec2f u) const override;
-    FloatLanes flake_weight(const Patch& patch, Vec3f wi, const AskedFlake& flake) const override;
+    FloatLanes flake_weight(const Patch& patch, Vec3f wi, const FlakeSample& flake) const override;
     FloatLanes flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float pdf) const override;
 
     float pdf(Vec3f wi, Vec3f wo) const override { return mean_.pdf(wi, wo); }
@@ -32,11 +32,11 @@ class VariedCoat final : public BoundBsdf {
         return mean_.pdf_lanes(wi, wo);
     }
     float specular_probability(Vec3f wi) const override { return mean_.specular_probability(wi); }
-    bool tells_flakes_apart() const override { return mean_.tells_flakes_apart(); }
+    bool samples_flakes() const override { return mean_.samples_flakes(); }
     float narrow_light_pdf(Vec3f wi) const override { return mean_.narrow_light_pdf(wi); }
-    void ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
-                    std::vector<AskedFlakes>& list) const override {
-        mean_.ask_flakes(patch, wi, random, list);
+    void sample_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
+                       std::vector<FlakeSamples>& list) const override {
+        mean_.sample_flakes(patch, wi, random, list);
     }
     std::size_t patch_memory_bytes() const override { return mean_.patch_memory_bytes(); }
     BinderIndex binder_index() const override { return mean_.binder_index(); }

@@ -114,7 +114,7 @@ struct NacreShown {
     vec2 finest;
 };
 
-/// FlakeView::answer_factor()
+/// FlakeView::resolved_factor()
 float nacreAnswer(int s, NacrePair p, float resolved, float widening) {
     float exponent = nacreExponent(s, p.slope2);
     float radius = nacreFieldLevels[s].y * nacreWidening(p.sec2, p.cosine);
@@ -353,13 +353,13 @@ void nacreWithoutSunlit() {
     nacreWidened = nacreSunWidened;
 }
 
-/// Light of the flakes of a patch, each asked for what it reflects: from all around, where one of them
-/// is chosen by the answers [talbot-2005], and of a sun, which is narrower than their lobes. Afterwards
+/// Light of the flakes of a patch, each sampled once: from all around, where one of them
+/// is chosen by what they reflect [talbot-2005], and of a sun, which is narrower than their lobes. Afterwards
 /// nacreColour() is without them, for light that is not the sun's; nacreWithoutSunlit() is for that.
 ///
-/// asked: else only what is left without flakes is worked out. sun: towards a place on it; z <= 0: there
+/// sampled: else only what is left without flakes is worked out. sun: towards a place on it; z <= 0: there
 /// is none. sunLight: its radiance times its solid angle. random: bits of the sample.
-vec3 nacreFlakes(NacrePatch seen, bool asked, vec3 wi, vec3 sun, vec3 sunLight, float sunAngle, uint random) {
+vec3 nacreFlakes(NacrePatch seen, bool sampled, vec3 wi, vec3 sun, vec3 sunLight, float sunAngle, uint random) {
     vec3 sum = vec3(0.), i = nacreRefract(wi, nacreIor);
     bool sunny = sun.z > 1e-4;
     NacrePair sunPair;
@@ -395,7 +395,7 @@ vec3 nacreFlakes(NacrePatch seen, bool asked, vec3 wi, vec3 sun, vec3 sunLight, 
         nacreWidened[s] = 1.;
         nacreSunResolved[s] = narrow.resolved;
         nacreSunWidened[s] = narrow.widening;
-        if (!asked || wide.resolved + narrow.resolved == 0.) continue;
+        if (!sampled || wide.resolved + narrow.resolved == 0.) continue;
         float typicalDepth = 2. * nacreLayer[NACRE_LAYERS[s]].x / i.z *
                              nacreRow(NACRE_EXTINCTIONS[s], 1, length(wi.xy) / (1. + wi.z)).w;
         float sunScale = 0., sunSpread = 0.;
@@ -474,13 +474,13 @@ vec3 nacreFlakes(NacrePatch seen, bool asked, vec3 wi, vec3 sun, vec3 sunLight, 
                         if (o.z <= 0. || z2 < 1e-6 || dot(halfSlope, halfSlope) >= @MAX_EXPONENT@ * alpha * alpha) continue;
                         vec3 wo = vec3(xy, sqrt(z2));
                         vec3 light = nacreRadiance(wo);
-                        float answer = max(light.r, max(light.g, light.b)) * sizes.w *
+                        float reflected = max(light.r, max(light.g, light.b)) * sizes.w *
                                        wideWeight * weight * exp(-nacrePlace(body) * typicalDepth);
-                        if (answer <= 0.) continue;
-                        brightness += answer;
-                        if (nacreFraction(nacreShortMix(b ^ random)) * brightness < answer) {
+                        if (reflected <= 0.) continue;
+                        brightness += reflected;
+                        if (nacreFraction(nacreShortMix(b ^ random)) * brightness < reflected) {
                             chosen = s;
-                            chosenBrightness = answer;
+                            chosenBrightness = reflected;
                             chosenWeight = wideWeight * weight;
                             chosenBody = body;
                             chosenWidth = width;

@@ -182,7 +182,7 @@ TEST(WebglFlakes, ColoursAreThoseThatTheShaderIsHeldTo) {
     }
     const sparkle::FlakeField& field = nacre.tables().species[0].field;
     nlohmann::json all = nlohmann::json::array();
-    std::vector<bsdf::AskedFlake> asked;
+    std::vector<bsdf::FlakeSample> samples;
     Rng rng(11);
     while (all.size() < 32) {
         // A square of 5 um.
@@ -192,14 +192,14 @@ TEST(WebglFlakes, ColoursAreThoseThatTheShaderIsHeldTo) {
                            {0, 0, 1},
                            {1, 0, 0},
                            {Vec3f{side, 0, 0}, Vec3f{0, side, 0}}};
-        patch.flakes = bsdf::Patch::Flakes::apart;
+        patch.flakes = bsdf::Patch::Flakes::sampled;
         const float sine = 0.9f * rng.uniform_float();
         const Vec3f wi = {sine, 0, std::sqrt(1 - sine * sine)};
-        asked = bsdf::asked_flakes(*bound[0], patch, wi, rng.next_u32());
+        samples = bsdf::flake_samples(*bound[0], patch, wi, rng.next_u32());
         sparkle::FlakeView view;
         field.look(patch.footprint, view, {1});
-        if (asked.empty()) continue;
-        bsdf::AskedFlake& flake = asked.front();
+        if (samples.empty()) continue;
+        bsdf::FlakeSample& flake = samples.front();
         flake.pdf = flake.wo.z;  // what is asked for times the cosine over this
         const auto inside = [](Vec3f w) {
             return Vec3f{w.x / 1.5f, w.y / 1.5f, std::sqrt(1 - (w.x * w.x + w.y * w.y) / 2.25f)};

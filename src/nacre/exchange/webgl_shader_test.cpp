@@ -105,7 +105,8 @@ TEST(WebglShader, ColoursAreThoseOfTheSolvedPaint) {
         recipe.clearcoat->roughness = roughness;
         const auto paint = solved(recipe);
         // Without the hot spot, which the solved paint does not have.
-        const WebglShader shader = make_webgl_shader(bsdf::microflake_arrays(paint, bsdf::ArrayParts::mean));
+        const WebglShader shader =
+            make_webgl_shader(bsdf::microflake_arrays(paint, bsdf::ArrayParts::mean));
         const std::vector<Vec3d> weights = spectra::rec709_weights(paint->wavelengths_nm());
         double largest = 0, worst = 0;
         int count = 0;

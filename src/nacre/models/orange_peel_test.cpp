@@ -142,7 +142,7 @@ std::shared_ptr<const bsdf::Bsdf> shared(const bsdf::Bsdf& surface) {
 }
 
 // Lights sampled, the surface sampled, or both: values, densities and samples belong together, those
-// of flakes that are asked one by one among them. Of flakes lights alone find too little.
+// of flakes that are sampled one by one among them. Of flakes lights alone find too little.
 void expect_estimators_agree(const bsdf::Bsdf& surface, bool light_alone) {
     const render::Scene scene(painted_ball(), {{"paint", shared(surface)}});
     const render::RenderOptions options{

@@ -14,7 +14,7 @@
 #include "nacre/testing/statistics.h"
 
 // Pictures of a panel have the contrast of its flakes at any number of samples, under light of any
-// width. Held against pictures that know nothing of asking flakes: many samples, each of which looks
+// width. Held against pictures that know nothing of sampled flakes: many samples, each of which looks
 // at a patch so small that every flake on it is resolved.
 
 namespace nacre::models {
@@ -214,7 +214,7 @@ TEST(SparkleInPictures, DependsOnTheSpecimenAndNotOnTheSeed) {
     EXPECT_LT(other.shared, 0.5 * same.shared);
 }
 
-// A quarter of 64 samples ask flakes, with four times the weight.
+// A quarter of 64 samples draw from flakes, with four times the weight.
 TEST(SparkleInPictures, FirstSamplesAreAsBrightAsAll) {
     const render::PaintTable paints{
         {"paint", testing::nacre_surface(testing::recipe_of({.diameter_um = 20}), 1)}};
@@ -227,11 +227,11 @@ TEST(SparkleInPictures, FirstSamplesAreAsBrightAsAll) {
         for (const float value : rgb) sum += value / static_cast<double>(rgb.size());
         return sum;
     };
-    const int first = render::samples_between_asking(options.samples_per_pixel);
+    const int first = render::flake_sampling_stride(options.samples_per_pixel);
     EXPECT_EQ(first, 4);
     const double all = mean_of(render::render_share(scene, options, {1, 1}));
     EXPECT_NEAR(mean_of(render::render_share(scene, options, {1, 64 / first})), all, 0.02 * all);
-    // The very first sample alone asks flakes in all pixels.
+    // The very first sample alone draws from flakes in all pixels.
     EXPECT_GT(mean_of(render::render_share(scene, options, {1, 64})), 1.05 * all);
 }
 

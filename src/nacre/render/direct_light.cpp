@@ -131,10 +131,10 @@ WithMean direct_light(const CompiledScene& scene, const Pass& pass, const Surfac
     const FloatLanes mean = surface.smooth_too ? surface.bsdf.eval(wi, wo) : value.f;
     const float weight = weighed ? power_heuristic(many * light.pdf, value.pdf) : 1.0f;
     WithMean reflected{weight * value.f, weight * mean};
-    if (surface.asked_weight > 0) {
+    if (surface.flake_sample_weight > 0) {
         const float pdf = weighed ? light.pdf : std::numeric_limits<float>::infinity();
         reflected.shown +=
-            surface.asked_weight * surface.bsdf.flakes_at(*surface.patch, wi, wo, pdf);
+            surface.flake_sample_weight * surface.bsdf.flakes_at(*surface.patch, wi, wo, pdf);
     }
     if (surface.patch) surface.patch->narrow_light_pdf = 0;
     if (!(lane_max(reflected.shown) > 0 || lane_max(reflected.smooth) > 0)) return {};

@@ -39,8 +39,8 @@ struct WithMean {
 struct LocalSurface {
     const bsdf::BoundBsdf& bsdf;
     std::optional<bsdf::Patch> patch;
-    bool smooth_too = false;  ///< on a patch: the mean over the surface is wanted besides
-    float asked_weight = 0;   ///< AskedPart::samples_per_asking, where flakes are asked
+    bool smooth_too = false;        ///< on a patch: the mean over the surface is wanted besides
+    float flake_sample_weight = 0;  ///< FlakeStratum::samples_per_stratum, where flakes are sampled
     /// Beyond it light is left to light samples (BoundBsdf::narrow_light_pdf).
     float narrow_light_pdf = std::numeric_limits<float>::infinity();
 
@@ -55,7 +55,7 @@ struct LocalSurface {
     /// candidates, as the guess behind the choice ignores colour and shadowing.
     float light_samples() const { return among_candidates ? 5.0f : 1.0f; }
     bool shows_flakes() const {
-        return patch && patch->flakes == bsdf::Patch::Flakes::shown && bsdf.tells_flakes_apart();
+        return patch && patch->flakes == bsdf::Patch::Flakes::shown && bsdf.samples_flakes();
     }
     FloatLanes pdf_lanes(Vec3f wi, const Vec3Lanes& wo) const {
         return bsdf.pdf_lanes(wi, wo) * (1 / (1 - specular));

@@ -49,7 +49,7 @@ std::optional<std::size_t> chosen(std::size_t count, const Part& part, float& at
     return last;
 }
 
-/// A flake that asks, by its group of eight and its lane.
+/// A sample of a flake, by its group of eight and its lane.
 struct FlakeAt {
     std::size_t group;
     int lane;
@@ -132,13 +132,13 @@ struct Branch {
 class PathTracer {
  public:
     PathTracer(const CompiledScene& scene, const Pass& pass, const PathSampler& sampler,
-               const CameraRay& camera_ray, const AskedPart& asked, const PathOptions& options,
+               const CameraRay& camera_ray, const FlakeStratum& stratum, const PathOptions& options,
                bsdf::PatchMemory& memory)
         : scene_(scene),
           pass_(pass),
           sampler_(sampler),
           camera_ray_(camera_ray),
-          asked_(asked),
+          stratum_(stratum),
           options_(options),
           memory_(memory) {}
 
@@ -157,7 +157,7 @@ class PathTracer {
     /// @param here  the surface with what its coat is like there; must outlive what is returned
     LocalSurface surface_at(const Hit& hit, Vec3f wi, const Branch& branch,
                             const bsdf::BoundBsdf& here);
-    void ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi, const LocalSurface& surface);
+    void sample_flakes(const Hit& hit, const Frame& frame, Vec3f wi, const LocalSurface& surface);
     /// Whether the branch goes on along the sample, with what it is worth there.
     bool go_on(Branch& branch, const Hit& hit, const Frame& frame, Vec3f wi,
                const LocalSurface& surface, const bsdf::BsdfSample& sample, float roulette) const;
@@ -211,7 +211,7 @@ class PathTracer {
     const Pass& pass_;
     const PathSampler& sampler_;
     const CameraRay& camera_ray_;
-    const AskedPart& asked_;
+    const FlakeStratum& stratum_;
     const PathOptions& options_;
     bsdf::PatchMemory& memory_;
     PathLight path_;
@@ -232,9 +232,9 @@ LocalSurface PathTracer::surface_at(const Hit& hit, Vec3f wi, const Branch& bran
     const RayDifferential::Edges edges = footprint(hit, branch);
     // Edge on the footprint is not bounded; the mean takes its place.
     if (!all_finite(edges)) return surface;
-    const bool apart =
-        options_.ask_flakes && branch.depth == 0 && surface.bsdf.tells_flakes_apart();
-    if (apart) {
+    const bool sampled =
+        options_.sample_flakes && branch.depth == 0 && surface.bsdf.samples_flakes();
+    if (sampled) {
         const Vec3f across = edges.edge_mm[0], down = edges.edge_mm[1];
         // Beside the plane of focus the samples share out what the lens blurs as well: as much
         // surface as the pixel's filter, of even weight, and the disc of the lens hold together.
@@ -243,15 +243,15 @@ LocalSurface PathTracer::surface_at(const Hit& hit, Vec3f wi, const Branch& bran
         const float blur = camera_ray_.blur_mm(hit.distance_mm) / (kFilterSide * pixel_mm);
         const float widened = std::sqrt(1 + blur * blur);
         const Vec2f shift_mm = camera_ray_.lens_shift_mm(hit.distance_mm);
-        const float x = widened * asked_.middle.x - asked_.place.x - shift_mm.x / pixel_mm;
-        const float y = widened * asked_.middle.y - asked_.place.y - shift_mm.y / pixel_mm;
-        surface.patch = scene_.patch(hit, x * across + y * down, widened * asked_.size.x * across,
-                                     widened * asked_.size.y * down);
-        surface.patch->flakes = asked_.samples_per_asking > 0 ? bsdf::Patch::Flakes::apart
-                                                              : bsdf::Patch::Flakes::left_out;
-        surface.patch->footprint.tilt[0] = asked_.tilt.x / widened;
-        surface.patch->footprint.tilt[1] = asked_.tilt.y / widened;
-        surface.asked_weight = asked_.samples_per_asking;
+        const float x = widened * stratum_.middle.x - stratum_.place.x - shift_mm.x / pixel_mm;
+        const float y = widened * stratum_.middle.y - stratum_.place.y - shift_mm.y / pixel_mm;
+        surface.patch = scene_.patch(hit, x * across + y * down, widened * stratum_.size.x * across,
+                                     widened * stratum_.size.y * down);
+        surface.patch->flakes = stratum_.samples_per_stratum > 0 ? bsdf::Patch::Flakes::sampled
+                                                                 : bsdf::Patch::Flakes::left_out;
+        surface.patch->footprint.tilt[0] = stratum_.tilt.x / widened;
+        surface.patch->footprint.tilt[1] = stratum_.tilt.y / widened;
+        surface.flake_sample_weight = stratum_.samples_per_stratum;
         if (options_.direct_light == DirectLight::combined) {
             surface.narrow_light_pdf = surface.bsdf.narrow_light_pdf(wi);
         }
@@ -265,8 +265,8 @@ LocalSurface PathTracer::surface_at(const Hit& hit, Vec3f wi, const Branch& bran
     return surface;
 }
 
-// Each flake of the patch is asked for the light that lights alone would send along the direction
-// in which it mirrors the eye. One is chosen by the answers, and its ray is followed: the choice
+// For each flake of the patch the light is looked up that lights alone would send along the direction
+// in which it mirrors the eye. One is chosen by what it reflects of it, and its ray is followed: the choice
 // adds no noise but that of what stands in between [talbot-2005], and of the colour of lights.
 //
 // Other surfaces reflect light as well, towards flakes that see no light themselves. So some samples
@@ -274,17 +274,17 @@ LocalSurface PathTracer::surface_at(const Hit& hit, Vec3f wi, const Branch& bran
 // against both choices by the balance heuristic [veach-1997, eq. 9.8]. What lights send counts along
 // the first alone: a ray chosen by a mixture of both densities would meet it in most samples and miss
 // it in some, which is noise.
-void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
-                            const LocalSurface& surface) {
-    std::vector<bsdf::AskedFlakes>& flakes = memory_.asked;
+void PathTracer::sample_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
+                               const LocalSurface& surface) {
+    std::vector<bsdf::FlakeSamples>& flakes = memory_.flake_samples;
     const std::array<float, PathSampler::kNumbers> u = sampler_.draw(kFlakeVertex);
-    surface.bsdf.ask_flakes(*surface.patch, wi, static_cast<std::uint32_t>(u[0] * 0x1p24f) * 256u,
-                            flakes);
+    surface.bsdf.sample_flakes(*surface.patch, wi,
+                               static_cast<std::uint32_t>(u[0] * 0x1p24f) * 256u, flakes);
     // Of each flake, if it reflects to where the surface does.
     std::vector<FloatLanes>&brightness = memory_.brightness, &strength = memory_.strength;
     brightness.resize(flakes.size());
     strength.resize(flakes.size());
-    FloatLanes answers_by_lane{}, strengths_by_lane{}, of_flakes{};
+    FloatLanes reflected_by_lane{}, strengths_by_lane{}, of_flakes{};
     FloatLanes expected{};  // what all of them send, of light that is 1 at all wavelengths
     for (std::size_t n = 0; n < flakes.size(); ++n) {
         const Vec3Lanes direction = frame.to_world(flakes[n].wo);
@@ -295,13 +295,13 @@ void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
         const IntLanes leaves = dot(direction, splat(hit.geometric_normal)) > 0.0f;
         const FloatLanes of_each = leaves ? flakes[n].strength : FloatLanes{};
         // Not 0 times a light that is infinite.
-        const FloatLanes answer = of_each > 0.0f ? of_each * light : FloatLanes{};
+        const FloatLanes reflected_here = of_each > 0.0f ? of_each * light : FloatLanes{};
         strength[n] = of_each;
-        brightness[n] = answer;
-        answers_by_lane += answer;
+        brightness[n] = reflected_here;
+        reflected_by_lane += reflected_here;
         strengths_by_lane += of_each;
         // Directions of the same flakes follow each other.
-        of_flakes += answer;
+        of_flakes += reflected_here;
         const bool others_follow = n + 1 == flakes.size() ||
                                    flakes[n + 1].number[0] != flakes[n].number[0] ||
                                    flakes[n + 1].species != flakes[n].species;
@@ -310,17 +310,19 @@ void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
             expected += of_flakes[lane] * flakes[n].colour[lane];
         of_flakes = FloatLanes{};
     }
-    const float answers = lane_sum(answers_by_lane), strengths = lane_sum(strengths_by_lane);
+    const float reflected = lane_sum(reflected_by_lane), strengths = lane_sum(strengths_by_lane);
     if (!(strengths > 0)) return;
     // Densities, in flakes, of both choices.
-    const float blind = answers > 0 ? kBlind : 1.0f;
-    const auto by_light = [&](FlakeAt k) { return answers > 0 ? k.in(brightness) / answers : 0; };
+    const float blind = reflected > 0 ? kBlind : 1.0f;
+    const auto by_light = [&](FlakeAt k) {
+        return reflected > 0 ? k.in(brightness) / reflected : 0;
+    };
     const auto by_strength = [&](FlakeAt k) { return blind * k.in(strength) / strengths; };
     const auto follow_flake = [&](std::optional<Branch>& ray, FlakeAt k, float density,
                                   float of_lights, float of_surfaces, std::uint32_t vertex) {
-        const bsdf::AskedFlake flake = flakes[k.group].flake(k.lane);
-        const FloatLanes throughput =
-            (surface.asked_weight / density) * surface.bsdf.flake_weight(*surface.patch, wi, flake);
+        const bsdf::FlakeSample flake = flakes[k.group].flake(k.lane);
+        const FloatLanes throughput = (surface.flake_sample_weight / density) *
+                                      surface.bsdf.flake_weight(*surface.patch, wi, flake);
         if (!(lane_max(throughput) > 0)) return;
         ray = Branch{.ray = {hit.origin(), frame.to_world(flake.wo)},
                      .depth = 1,
@@ -333,12 +335,12 @@ void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
                      .first_vertex = vertex + 1,
                      .lobe = lobe_of(flake.pdf)};
     };
-    if (const auto k = chosen(brightness, answers_by_lane, u[2] * answers)) {
+    if (const auto k = chosen(brightness, reflected_by_lane, u[2] * reflected)) {
         // Flakes whose films differ have other colours: the one that is chosen would lend its own to all.
         // What is added has the mean 0, whatever the colours [veach-1997, section 2.5], and is of the light
         // that all lights have in common: where one has none, it would be noise.
-        path_.radiance += surface.asked_weight * pass_.common_colour *
-                          (expected - answers * flakes[k->group].colour[k->lane]);
+        path_.radiance += surface.flake_sample_weight * pass_.common_colour *
+                          (expected - reflected * flakes[k->group].colour[k->lane]);
         const float both = by_light(*k) + by_strength(*k);
         follow_flake(flake_, *k, by_light(*k), 1, by_light(*k) / both, kFlakeVertex);
     }
@@ -409,7 +411,7 @@ void PathTracer::follow(Branch& branch) {
             gather(branch, direct_light(scene_, pass_, {*hit, frame, wi}, surface, u, sampler_,
                                         branch.depth, options_.direct_light));
         }
-        if (surface.asked_weight > 0) ask_flakes(*hit, frame, wi, surface);
+        if (surface.flake_sample_weight > 0) sample_flakes(*hit, frame, wi, surface);
         if (surface.specular > 0) {
             const auto sample = surface.sample_specular(wi);
             Branch& mirrored = specular_.emplace(branch);
@@ -484,9 +486,9 @@ bool PathTracer::go_on(Branch& branch, const Hit& hit, const Frame& frame, Vec3f
 }  // namespace
 
 PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSampler& sampler,
-                     const CameraRay& camera_ray, const AskedPart& asked,
+                     const CameraRay& camera_ray, const FlakeStratum& stratum,
                      const PathOptions& options, bsdf::PatchMemory& memory) {
-    return PathTracer(scene, pass, sampler, camera_ray, asked, options, memory).trace();
+    return PathTracer(scene, pass, sampler, camera_ray, stratum, options, memory).trace();
 }
 
 }  // namespace nacre::render

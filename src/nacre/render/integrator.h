@@ -48,22 +48,22 @@ struct PathOptions {
     bool smooth = false;  ///< PathLight::smooth is asked for
     /// Side of the patch over which one sample averages where a surface varies, in pixels.
     float footprint_pixels = 1;
-    /// Whether surfaces that tell their flakes apart are asked for them at the first hit; else
+    /// Whether the flakes of surfaces that have them apart are sampled at the first hit; else
     /// they are shown by each sample's own patch.
-    bool ask_flakes = true;
+    bool sample_flakes = true;
 };
 
-/// The part of its pixel's footprint whose flakes one sample asks.
+/// The part of its pixel's footprint whose flakes one sample draws from.
 ///
-/// The samples that ask divide what the pixel sees between them, so that each flake is asked once,
+/// These samples divide what the pixel sees between them, so that each flake is sampled once,
 /// or once for each of the parts that it touches.
-struct AskedPart {
+struct FlakeStratum {
     Vec2f place;         ///< of the sample in its pixel's filter, in pixels across and down
     Vec2f middle, size;  ///< of the part, its sides across and down
     Vec2f tilt;          ///< of the pixel filter over it (ObjectSpaceFootprint::tilt)
-    /// Samples of the pixel for each that asks: the weight of the light of the flakes that it asks.
-    /// 0: this sample asks none.
-    float samples_per_asking = 0;
+    /// Samples of the pixel for each of its strata: the weight of the light of the flakes that are
+    /// sampled. 0: this sample draws from none.
+    float samples_per_stratum = 0;
 };
 
 /// Follows a path from the camera: at each surface one sample of the lights, chosen among eight where
@@ -75,12 +75,12 @@ struct AskedPart {
 /// Surfaces that vary are looked at through the footprint of the pixel as long as the path has met
 /// specular reflections only; further on, where neighbouring paths run apart, their mean is taken.
 ///
-/// At the first surface the flakes of those that tell them apart are asked one by one, by the samples
-/// that `asked` says.                                          [docs/nacre-model.md, sparkle in pictures]
+/// At the first surface flakes are sampled one by one, where their light can be had apart, by the
+/// samples that `stratum` says.                                          [docs/nacre-model.md, sparkle in pictures]
 ///
 /// @param memory  of pass.patch_memory_bytes; what it held is lost
 PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSampler& sampler,
-                     const CameraRay& camera_ray, const AskedPart& asked,
+                     const CameraRay& camera_ray, const FlakeStratum& stratum,
                      const PathOptions& options, bsdf::PatchMemory& memory);
 
 }  // namespace nacre::render

@@ -67,15 +67,15 @@ namespace {
 /// Drawing positions by the filter, not weighting by it, lets each pixel keep its own sums.
 float tent(float u) { return u < 0.5f ? std::sqrt(2 * u) - 1 : 1 - std::sqrt(2 - 2 * u); }
 
-/// How the samples of a pixel divide what it sees: see AskedPart.
+/// How the samples of a pixel divide what it sees: see FlakeStratum.
 ///
 /// The first two numbers of a pixel's samples are a (0,2)-sequence: of any aligned 2^k samples one
 /// lies in each of 2^k equal boxes of the unit square. The tent takes boxes to rectangles that
-/// cover the pixel's filter, each with the same weight. So the first 2^k samples ask, each the
-/// flakes of its own rectangle, and the others need not look.
-class AskedParts {
+/// cover the pixel's filter, each with the same weight. So the first 2^k samples draw from
+/// the flakes of their own rectangles, and the others need not look.
+class FlakeStrata {
  public:
-    explicit AskedParts(int samples_per_pixel) {
+    explicit FlakeStrata(int samples_per_pixel) {
         // A quarter of the samples, where that leaves enough parts.
         constexpr int kEnough = 4, kFewer = 2;
         int log2 = 0;
@@ -83,34 +83,34 @@ class AskedParts {
         log2 = std::max(std::min(log2, kEnough), log2 - kFewer);
         columns_ = sides(1 << ((log2 + 1) / 2));
         rows_ = sides(1 << (log2 / 2));
-        samples_per_asking_ = static_cast<float>(samples_per_pixel) / static_cast<float>(count());
+        samples_per_stratum_ = static_cast<float>(samples_per_pixel) / static_cast<float>(count());
     }
 
-    /// How many samples ask: the first ones.
+    /// How many samples draw from flakes: the first ones.
     std::size_t count() const { return columns_.size() * rows_.size(); }
 
     int stride_of(int samples_per_pixel) const {
         return samples_per_pixel / static_cast<int>(count());
     }
 
-    /// The sample that a pass takes: those that ask evenly between the others, so that a picture
+    /// The sample that a pass takes: those that draw from flakes evenly between the others, so that a picture
     /// that is stopped has about as much of the flakes' light as of the rest.
     std::uint32_t sample_of_pass(int pass, int samples_per_pixel) const {
-        const int asking = static_cast<int>(count()), stride = stride_of(samples_per_pixel);
-        const int before = std::min(asking, (pass + stride - 1) / stride);  // that ask
-        const bool asks = pass % stride == 0 && pass / stride < asking;
-        return static_cast<std::uint32_t>(asks ? before : asking + pass - before);
+        const int strata = static_cast<int>(count()), stride = stride_of(samples_per_pixel);
+        const int before = std::min(strata, (pass + stride - 1) / stride);  // of them
+        const bool first = pass % stride == 0 && pass / stride < strata;
+        return static_cast<std::uint32_t>(first ? before : strata + pass - before);
     }
 
     /// Of a sample whose place in the filter is tent(u.x), tent(u.y).
-    AskedPart part(Vec2f u, Vec2f place, std::uint32_t sample_index) const {
+    FlakeStratum stratum(Vec2f u, Vec2f place, std::uint32_t sample_index) const {
         const Side& x = columns_[static_cast<std::size_t>(u.x * columns_.size())];
         const Side& y = rows_[static_cast<std::size_t>(u.y * rows_.size())];
         return {.place = place,
                 .middle = {x.middle, y.middle},
                 .size = {x.length, y.length},
                 .tilt = {x.tilt, y.tilt},
-                .samples_per_asking = sample_index < count() ? samples_per_asking_ : 0.0f};
+                .samples_per_stratum = sample_index < count() ? samples_per_stratum_ : 0.0f};
     }
 
  private:
@@ -130,7 +130,7 @@ class AskedParts {
         return all;
     }
     std::vector<Side> columns_, rows_;
-    float samples_per_asking_;
+    float samples_per_stratum_;
 };
 
 /// The pixel of the whole picture that a column, or a row, of one with every `stride`-th is.
@@ -147,7 +147,7 @@ class Renderer {
         : scene_(scene),
           options_(options),
           camera_(scene.camera, options.width, options.height),
-          parts_(options.samples_per_pixel),
+          strata_(options.samples_per_pixel),
           stride_(stride),
           columns_(taken_of(options.width, stride)),
           rows_(taken_of(options.height, stride)),
@@ -157,7 +157,7 @@ class Renderer {
         path_options_.max_depth = options.max_depth;
         path_options_.direct_light = direct_light;
         path_options_.smooth = options.sparkle;
-        path_options_.ask_flakes = options.footprint_pixels == 0;
+        path_options_.sample_flakes = options.footprint_pixels == 0;
         for (const auto& material : scene.materials) {
             flakes_show_ |=
                 material->surface_coordinates() == bsdf::SurfaceCoordinates::object_space;
@@ -186,7 +186,7 @@ class Renderer {
     }
 
     std::uint32_t sample_of_pass(int pass) const {
-        return flakes_show_ ? parts_.sample_of_pass(pass, options_.samples_per_pixel)
+        return flakes_show_ ? strata_.sample_of_pass(pass, options_.samples_per_pixel)
                             : static_cast<std::uint32_t>(pass);
     }
     RenderResult develop() const { return film_.develop(); }
@@ -209,10 +209,12 @@ class Renderer {
                 const Vec2f place = {tent(u[0]), tent(u[1])};
                 const CameraRay ray = camera_(static_cast<float>(x) + 0.5f + place.x,
                                               static_cast<float>(y) + 0.5f + place.y, {u[2], u[3]});
-                const AskedPart asked = parts_.part({u[0], u[1]}, place, pass.sample_index);
+                const FlakeStratum stratum =
+                    strata_.stratum({u[0], u[1]}, place, pass.sample_index);
                 try {
-                    film_.add(taken, pass,
-                              trace_path(scene_, pass, sampler, ray, asked, path_options_, memory));
+                    film_.add(
+                        taken, pass,
+                        trace_path(scene_, pass, sampler, ray, stratum, path_options_, memory));
                 } catch (const Stopped&) {
                     return false;
                 }
@@ -225,7 +227,7 @@ class Renderer {
     RenderOptions options_;
     PathOptions path_options_;
     CameraRays camera_;
-    AskedParts parts_;
+    FlakeStrata strata_;
     bool flakes_show_ = false;
     int stride_, columns_, rows_;
     Film film_;
@@ -246,7 +248,7 @@ struct PassRange {
     int count() const { return end - begin; }
 };
 
-/// Passes that follow each other: those that ask flakes, which take longer, are spread evenly.
+/// Passes that follow each other: those that draw from flakes, which take longer, are spread evenly.
 PassRange passes_of(const RenderOptions& options, const Share& share) {
     const auto before = [&](int shares) {
         return static_cast<int>(std::int64_t{options.samples_per_pixel} * shares / share.count);
@@ -403,8 +405,8 @@ RenderResult develop(RenderSums whole, const RenderOptions& options) {
     return result;
 }
 
-int samples_between_asking(int samples_per_pixel) {
-    return AskedParts(samples_per_pixel).stride_of(samples_per_pixel);
+int flake_sampling_stride(int samples_per_pixel) {
+    return FlakeStrata(samples_per_pixel).stride_of(samples_per_pixel);
 }
 
 int samples_of(const RenderOptions& options, const Share& share) {

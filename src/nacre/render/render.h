@@ -21,7 +21,7 @@ struct RenderOptions {
     std::uint64_t seed = 0;
     int max_depth = 8;  ///< surface reflections along a path, [1, 1000]
     /// Side of the piece of surface that each sample shows where single flakes do, [0, 1000] pixels.
-    /// 0: flakes that can be asked one by one are asked (docs/nacre-model.md), and where they cannot,
+    /// 0: flakes that can be sampled one by one are (docs/nacre-model.md), and where they cannot,
     /// as those of surfaces seen in a mirror, default_footprint_pixels().
     double footprint_pixels = 0;
     bool sparkle = false;  ///< RenderResult::sparkle is asked for
@@ -111,9 +111,9 @@ void check(const RenderOptions& options, const Share& share);
 RenderResult render(const Scene& scene, const RenderOptions& options,
                     const Progress& progress = {});
 
-/// After each multiple of so many samples as large a fraction of those rendered has asked flakes
-/// (AskedPart) as of all. A picture of fewer has up to so many times their light.
-int samples_between_asking(int samples_per_pixel);
+/// After each multiple of so many samples as large a fraction of those rendered has drawn from flakes
+/// (FlakeStratum) as of all. A picture of fewer has up to so many times their light.
+int flake_sampling_stride(int samples_per_pixel);
 
 /// How many samples a pixel has of a share.
 int samples_of(const RenderOptions& options, const Share& share);

@@ -139,7 +139,7 @@ FlakeField::Weights FlakeField::level_weights(const float* side_mm,
     // Scaled up to the mean of all flakes, those resolved have deviation_ratio^2 times their
     // variance. Lobes wider by deviation_ratio undo that, but a lobe must stay narrower than the
     // distribution of slopes: the remaining excess is removed by background. There is always some
-    // background, for answer_factor().                               [docs/nacre-model.md: k]
+    // background, for resolved_factor().                               [docs/nacre-model.md: k]
     constexpr float kMaxResolved = 0.95f;
     const float deviation_ratio = std::sqrt(second) / first;
     const float area = stand_ins.light_area;

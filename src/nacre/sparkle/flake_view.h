@@ -71,8 +71,8 @@ struct FlakeView {
     /// the next.
     /// @param scale    DiffractionLobe::widening() of the half vector
     /// @param spread2  DiffractionLobe::spread2()
-    float answer_factor(const DiffractionLobe& lobe, float slope2, float scale,
-                        float spread2) const {
+    float resolved_factor(const DiffractionLobe& lobe, float slope2, float scale,
+                          float spread2) const {
         const float exponent = lobe.exponent(slope2), radius = typical_radius * scale;
         // The coat, and waviness, spread slopes and rings alike.
         const float relative = lobe.exponent(spread2), narrower = 1 / (1 + relative);
@@ -90,8 +90,9 @@ struct FlakeView {
     /// What for_each_reflecting_flake() returns.
     float background_at(const DiffractionLobe& lobe, float slope2, float cosine,
                         float coat_spread2) const {
-        return 1 - (1 - background) * answer_factor(lobe, slope2, lobe.widening(1 + slope2, cosine),
-                                                    lobe.spread2(coat_spread2));
+        return 1 - (1 - background) * resolved_factor(lobe, slope2,
+                                                      lobe.widening(1 + slope2, cosine),
+                                                      lobe.spread2(coat_spread2));
     }
 
     /// The lobes of eight flakes, by slopes of half vectors: those that are evaluated, but for the radius,
@@ -147,10 +148,10 @@ float FlakeView::for_each_reflecting_flake(const DiffractionLobe& lobe, Vec2f sl
     const float spread2 = lobe.spread2(coat_spread2);
     const float slope2 = slope.x * slope.x + slope.y * slope.y;
     const float scale = lobe.widening(1 + slope2, cosine);
-    const float factor = answer_factor(lobe, slope2, scale, spread2);
+    const float factor = resolved_factor(lobe, slope2, scale, spread2);
     const float coat2 = widening * widening * DiffractionLobe::spread_radius2(spread2);
     const FloatLanes max2 = splat(lobe.max_radius() * lobe.max_radius());
-    float inverse_density = 0;  // worked out with the first answer
+    float inverse_density = 0;  // worked out with the first that reflects
     for (int first = 0; first < count; first += kLanes) {
         const FloatLanes dx = load_lanes(&slope_x[first]) - slope.x;
         const FloatLanes dy = load_lanes(&slope_y[first]) - slope.y;
@@ -180,7 +181,7 @@ inline float FlakeView::fraction(const DiffractionLobe& lobe, Vec2f slope, float
     const float distance2 = dx * dx + dy * dy;
     if (distance2 >= width * width) return 0;
     return weight[flake] * lobe.density(distance2, width) *
-           answer_factor(lobe, slope2, scale, spread2) /
+           resolved_factor(lobe, slope2, scale, spread2) /
            (lobe.slope_density(slope2) * lobe.blur(slope2, width));
 }
 

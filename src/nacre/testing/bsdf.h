@@ -198,13 +198,13 @@ inline Drawn expect_own_density_and_weight(const BoundBsdf& bound, int samples, 
     return drawn;
 }
 
-/// The flakes of a patch that a surface asks, one by one.
-inline std::vector<AskedFlake> asked_flakes(const BoundBsdf& surface, const Patch& patch, Vec3f wi,
-                                            std::uint32_t random) {
-    std::vector<AskedFlakes> groups;
-    surface.ask_flakes(patch, wi, random, groups);
-    std::vector<AskedFlake> flakes;
-    for (const AskedFlakes& group : groups) {
+/// The samples of flakes of a patch, one by one.
+inline std::vector<FlakeSample> flake_samples(const BoundBsdf& surface, const Patch& patch,
+                                              Vec3f wi, std::uint32_t random) {
+    std::vector<FlakeSamples> groups;
+    surface.sample_flakes(patch, wi, random, groups);
+    std::vector<FlakeSample> flakes;
+    for (const FlakeSamples& group : groups) {
         for (int lane = 0; lane < kLanes; ++lane)
             if (group.strength[lane] > 0) flakes.push_back(group.flake(lane));
     }

@@ -35,8 +35,8 @@ sparkle::FlakePopulation population_of(const paint::FlakeSpecies& species,
 
 // A lamp meets the lobe of diffraction or does not, which is the flake's own contrast. Of a lobe that
 // waviness or a rough coat widens it lights a part, and one direction would tell as little of it as the
-// toss of a coin: as many are asked as the lobe is larger in area, up to a bound.
-int asked_directions(const sparkle::FlakeField& field) {
+// toss of a coin: as many are drawn as the lobe is larger in area, up to a bound.
+int directions_per_flake(const sparkle::FlakeField& field) {
     constexpr float kMax = NacreSpecies::kMaxDirections;
     const sparkle::DiffractionLobe& lobe = field.lobe();
     const auto radius = static_cast<float>(lobe.radius(field.population().diameter_um));
@@ -127,7 +127,7 @@ std::vector<NacreSpecies> nacre_species(const Microflake::Tables& tables, std::u
     std::vector<sparkle::FlakeField> fields = flake_fields(tables, specimen);
     std::vector<NacreSpecies> species;
     for (std::size_t s = 0; s < fields.size(); ++s) {
-        const int directions = asked_directions(fields[s]);
+        const int directions = directions_per_flake(fields[s]);
         species.push_back({std::move(fields[s]), films[s], fractions[s], directions});
     }
     return species;

@@ -80,7 +80,7 @@ struct NacreSpecies {
     sparkle::FlakeField field;
     std::shared_ptr<const FlakeFilms> films;  ///< null: all alike
     float fraction;  ///< flake_fractions(): the probability with which its flakes are sampled
-    int directions;  ///< in which a typical flake is asked for light
+    int directions;  ///< that are drawn from the lobe of a typical flake
 };
 /// How finely to tabulate the films of single flakes.
 struct FlakeFilmGrid {
@@ -137,13 +137,13 @@ class BoundNacre final : public BoundMicroflake {
     std::size_t patch_memory_bytes() const override {
         return 2 * tables_->species.size() * sizeof(sparkle::FlakeView);
     }
-    bool tells_flakes_apart() const override { return true; }
+    bool samples_flakes() const override { return true; }
     UnitRange interface_lobe_range(const Patch* patch, Vec3f wi) const override;
     float narrow_light_pdf(Vec3f wi) const override;
     CoatChange coat_change(Vec3f wi, Vec3f wo, float deviation) const override;
-    void ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
-                    std::vector<AskedFlakes>& list) const override;
-    FloatLanes flake_weight(const Patch& patch, Vec3f wi, const AskedFlake& flake) const override;
+    void sample_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
+                       std::vector<FlakeSamples>& list) const override;
+    FloatLanes flake_weight(const Patch& patch, Vec3f wi, const FlakeSample& flake) const override;
     FloatLanes flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float pdf) const override;
 
  private:
@@ -231,8 +231,8 @@ class BoundNacre final : public BoundMicroflake {
     // Per solid angle outside, of directions spread over the lobe of a typical flake that mirrors
     // wi upwards.
     float slope_density(std::size_t species, Vec3f wi) const;
-    // Number per solid angle outside of the directions that ask_flakes() draws for the flake.
-    // @param directions  of this flake in all: AskedDirections
+    // Number per solid angle outside of the directions that sample_flakes() draws for the flake.
+    // @param directions  of this flake in all: DirectionCounts
     float flake_pdf(const sparkle::FlakeView& view, float directions, std::size_t species,
                     int flake, const Ray& i, const Ray& o) const;
     FloatLanes mean_value(const Ray& i, const Ray& o) const;

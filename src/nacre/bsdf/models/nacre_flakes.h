@@ -101,7 +101,7 @@ class BoundNacre::FlakesOfPatch : public WithHotSpot {
     HalfVector half_;
 };
 
-// In place of MeanFlakes: the background, without the flakes that are asked one by one.
+// In place of MeanFlakes: the background, without the flakes that are sampled one by one.
 class BoundNacre::BackgroundFlakes : public WithHotSpot {
  public:
     BackgroundFlakes(const BoundNacre& surface, const PatchFlakes& look, const Ray& i, const Ray& o)
@@ -137,8 +137,8 @@ class BoundNacre::SomeFlakes : public WithHotSpot {
           cosine_(HalfVector(i, o, surface.coat()).cosine) {}
     /// @param fraction  of the mean of the species
     void add(int flake, float fraction) {
-        if (count_ == static_cast<int>(answers_.size())) return;
-        answers_[count_++] = {flake, fraction};
+        if (count_ == static_cast<int>(reflecting_.size())) return;
+        reflecting_[count_++] = {flake, fraction};
     }
     bool empty() const { return count_ == 0; }
 
@@ -148,15 +148,15 @@ class BoundNacre::SomeFlakes : public WithHotSpot {
     FloatLanes factor(std::size_t layer, std::size_t, const FloatLanes& depth) const {
         FloatLanes sum{};
         for (int n = 0; n < count_; ++n) {
-            sum += answers_[n].fraction *
-                   surface_.relative_attenuation(species_, layer, view_, answers_[n].flake, cosine_,
-                                                 depth, pair_ ? &*pair_ : nullptr);
+            sum += reflecting_[n].fraction *
+                   surface_.relative_attenuation(species_, layer, view_, reflecting_[n].flake,
+                                                 cosine_, depth, pair_ ? &*pair_ : nullptr);
         }
         return sum * inverse_mean_attenuation(depth);
     }
 
  private:
-    struct Answer {
+    struct Reflecting {
         int flake;
         float fraction;
     };
@@ -164,7 +164,7 @@ class BoundNacre::SomeFlakes : public WithHotSpot {
     std::size_t species_;
     const sparkle::FlakeView& view_;
     float cosine_;
-    std::array<Answer, sparkle::FlakeView::kMax> answers_;
+    std::array<Reflecting, sparkle::FlakeView::kMax> reflecting_;
     int count_ = 0;
 };
 

@@ -41,7 +41,7 @@ BoundNacre::PatchFlakes::PatchFlakes(const BoundNacre& surface, const Patch& pat
         }
         const sparkle::FlakeField::StandIns stand_ins{
             narrow ? std::min(1.0f, surface.slope_density(s, wi) / patch.narrow_light_pdf) : kWide};
-        if (patch.flakes == Patch::Flakes::apart) {
+        if (patch.flakes == Patch::Flakes::sampled) {
             field.look(patch.footprint, view, stand_ins);
         } else {
             field.leave_out(patch.footprint, view, stand_ins);

@@ -3,7 +3,7 @@
  *
  * The paint's text finds the flakes on a patch of the surface and what they reflect
  * (src/nacre/exchange/webgl_flakes.glsl); here the pixel is divided into patches, as the path tracer
- * does it (AskedParts in src/nacre/render/render.cpp).
+ * does it (FlakeStrata in src/nacre/render/render.cpp).
  */
 
 import type { Transform } from "./paint";

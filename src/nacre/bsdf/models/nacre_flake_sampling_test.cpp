@@ -11,7 +11,7 @@
 #include "nacre/testing/nacre_model.h"
 #include "nacre/testing/statistics.h"
 
-// Flakes that are asked one by one, and what is left beside them.
+// Flakes that are sampled one by one, and what is left beside them.
 
 namespace nacre::bsdf {
 namespace {
@@ -23,7 +23,7 @@ constexpr float kUnweighed = std::numeric_limits<float>::infinity();
 
 Patch apart(Rng& rng, double side_mm) {
     Patch patch = random_square_patch(rng, side_mm);
-    patch.flakes = Patch::Flakes::apart;
+    patch.flakes = Patch::Flakes::sampled;
     return patch;
 }
 
@@ -33,7 +33,7 @@ double side_of_flakes(double flakes) {
 
 // Over all patches the flakes and what is left beside them add up to the mean, whether each flake
 // is resolved (4 a patch) or some stand for many (1000).
-TEST(NacreAsked, FlakesAndTheRestAddUpToTheMean) {
+TEST(NacreFlakeSampling, FlakesAndTheRestAddUpToTheMean) {
     for (const bool rough : {false, true}) {
         SCOPED_TRACE(rough);
         const SparklingModel& model = model_with_every_feature(rough);
@@ -55,20 +55,20 @@ TEST(NacreAsked, FlakesAndTheRestAddUpToTheMean) {
     }
 }
 
-// Under light from everywhere: each flake asked in its own lobe, against directions drawn without
+// Under light from everywhere: each flake sampled by its own lobe, against directions drawn without
 // knowing of flakes. The two share the value of a flake and nothing of the sampling.
-TEST(NacreAsked, LobesReflectWhatTheirFlakesDo) {
+TEST(NacreFlakeSampling, LobesReflectWhatTheirFlakesDo) {
     for (const bool rough : {false, true}) {
         SCOPED_TRACE(rough);
         const SparklingModel& model = model_with_every_feature(rough);
         const Vec3f wi = direction(30, 20);
         Rng rng(7, 1);
-        Sample asked, drawn;
+        Sample by_flake, drawn;
         int most = 0;
         for (int n = 0; n < 40000; ++n) {
             const Patch patch = apart(rng, side_of_flakes(4));
-            const std::vector<AskedFlake> flakes =
-                asked_flakes(*model.bound, patch, wi, static_cast<std::uint32_t>(n) * 977u);
+            const std::vector<FlakeSample> flakes =
+                flake_samples(*model.bound, patch, wi, static_cast<std::uint32_t>(n) * 977u);
             const int count = static_cast<int>(flakes.size());
             most = std::max(most, count);
             double sum = 0;
@@ -76,7 +76,7 @@ TEST(NacreAsked, LobesReflectWhatTheirFlakesDo) {
                 EXPECT_GT(flakes[k].strength, 0);
                 sum += model.bound->flake_weight(patch, wi, flakes[k])[3];
             }
-            asked.add(sum);
+            by_flake.add(sum);
             for (int draw = 0; draw < 2; ++draw) {
                 const auto s = model.bound->sample(wi, rng.uniform_float(),
                                                    {rng.uniform_float(), rng.uniform_float()});
@@ -87,16 +87,17 @@ TEST(NacreAsked, LobesReflectWhatTheirFlakesDo) {
             }
         }
         EXPECT_GT(most, 4);
-        EXPECT_LT(asked.error(), 0.01 * asked.mean());
+        EXPECT_LT(by_flake.error(), 0.01 * by_flake.mean());
         EXPECT_LT(drawn.error(), 0.1 * drawn.mean());
-        EXPECT_NEAR(asked.mean(), drawn.mean(), kWorstZ * std::hypot(asked.error(), drawn.error()));
+        EXPECT_NEAR(by_flake.mean(), drawn.mean(),
+                    kWorstZ * std::hypot(by_flake.error(), drawn.error()));
     }
 }
 
 // A flake is chosen by a guess of what it reflects: what the guess misses is noise of pictures. Without
 // where the light comes from, and the films' colours, it missed 11 to 18 %. So is what the guess of its
 // colour misses, per wavelength.
-TEST(NacreAsked, TheGuessIsWhatTheFlakesReflect) {
+TEST(NacreFlakeSampling, TheGuessIsWhatTheFlakesReflect) {
     paint::FlakeSpecies wavy = metal_flake(18, 0.9);
     wavy.waviness = 0.06;
     struct Case {
@@ -118,8 +119,8 @@ TEST(NacreAsked, TheGuessIsWhatTheFlakesReflect) {
             FloatLanes missed{}, in_all{};  // squares of what colours miss, and of what there is
             for (int n = 0; n < 500; ++n) {
                 const Patch patch = apart(rng, side_mm);
-                for (const AskedFlake& flake :
-                     asked_flakes(*model.bound, patch, wi, static_cast<std::uint32_t>(n) * 977u)) {
+                for (const FlakeSample& flake :
+                     flake_samples(*model.bound, patch, wi, static_cast<std::uint32_t>(n) * 977u)) {
                     const FloatLanes weight = model.bound->flake_weight(patch, wi, flake);
                     const double light = lane_sum(response_of_eye(kOnGrid) * weight);
                     const FloatLanes miss = weight - static_cast<float>(light) * flake.colour;
@@ -144,7 +145,7 @@ TEST(NacreAsked, TheGuessIsWhatTheFlakesReflect) {
 }
 
 // The two ways to find light, weighed against each other, find it once.
-TEST(NacreAsked, WeighedWaysAddUp) {
+TEST(NacreFlakeSampling, WeighedWaysAddUp) {
     for (const bool rough : {false, true}) {
         SCOPED_TRACE(rough);
         const SparklingModel& model = model_with_every_feature(rough);
@@ -154,8 +155,8 @@ TEST(NacreAsked, WeighedWaysAddUp) {
         Sample alone, both;
         for (int n = 0; n < 20000; ++n) {
             const Patch patch = apart(rng, side_of_flakes(4));
-            const std::vector<AskedFlake> flakes =
-                asked_flakes(*model.bound, patch, wi, static_cast<std::uint32_t>(n) * 977u);
+            const std::vector<FlakeSample> flakes =
+                flake_samples(*model.bound, patch, wi, static_cast<std::uint32_t>(n) * 977u);
             const int count = static_cast<int>(flakes.size());
             double unweighed = 0, weighed = 0;
             for (int k = 0; k < count; ++k) {
@@ -184,9 +185,9 @@ double evenness(const std::vector<double>& parts) {
     return sum * sum / (squares * static_cast<double>(parts.size()));
 }
 
-// Flakes that a patch shows by their edges weigh little, and are asked in fewer directions or not at all:
+// Flakes that a patch shows by their edges weigh little, and have fewer directions or none at all:
 // directions matter nearly alike, and flakes do not.
-TEST(NacreAsked, DirectionsGoWithTheWeightsOfFlakes) {
+TEST(NacreFlakeSampling, DirectionsGoWithTheWeightsOfFlakes) {
     paint::FlakeSpecies wavy = metal_flake(18, 0.9);
     wavy.waviness = 0.06;
     const SparklingModel model(paint_of({wavy}), {.specimen = 1});
@@ -196,10 +197,10 @@ TEST(NacreAsked, DirectionsGoWithTheWeightsOfFlakes) {
         const Patch patch = apart(rng, std::sqrt(10 / model.flakes_per_mm2()));
         std::vector<double> directions;
         std::map<int, double> by_flake;
-        for (const AskedFlake& asked : asked_flakes(*model.bound, patch, direction(30, 20),
-                                                    static_cast<std::uint32_t>(n) * 977u)) {
-            directions.push_back(asked.strength);
-            by_flake[asked.flake] += asked.strength;
+        for (const FlakeSample& sample : flake_samples(*model.bound, patch, direction(30, 20),
+                                                       static_cast<std::uint32_t>(n) * 977u)) {
+            directions.push_back(sample.strength);
+            by_flake[sample.flake] += sample.strength;
         }
         ASSERT_FALSE(directions.empty());
         std::vector<double> flakes;
@@ -211,8 +212,8 @@ TEST(NacreAsked, DirectionsGoWithTheWeightsOfFlakes) {
     EXPECT_LT(of_flakes.mean(), 0.65);
 }
 
-// However many species there are, none of their flakes is forgotten: some ten of each are asked.
-TEST(NacreAsked, FlakesOfManySpeciesAreAllAsked) {
+// However many species there are, none of their flakes is forgotten: some ten of each are sampled.
+TEST(NacreFlakeSampling, FlakesOfManySpeciesAreAllAsked) {
     std::vector<paint::FlakeSpecies> species;
     constexpr int kSpecies = 64;
     for (int s = 0; s < kSpecies; ++s) {
@@ -221,16 +222,16 @@ TEST(NacreAsked, FlakesOfManySpeciesAreAllAsked) {
     }
     const SparklingModel model(paint_of(std::move(species)));
     Rng rng(2, 1);
-    const std::vector<AskedFlake> flakes =
-        asked_flakes(*model.bound, apart(rng, 0.1), direction(30, 20), 1);
+    const std::vector<FlakeSample> flakes =
+        flake_samples(*model.bound, apart(rng, 0.1), direction(30, 20), 1);
     EXPECT_GT(flakes.size(), 512u);
     std::vector<int> by_species(kSpecies);
-    for (const AskedFlake& flake : flakes) ++by_species[flake.species];
+    for (const FlakeSample& flake : flakes) ++by_species[flake.species];
     EXPECT_THAT(by_species, testing::Each(testing::Gt(0)));
 }
 
 // A renderer may trace the specular reflection besides: none but the lower numbers choose it.
-TEST(NacreAsked, TheSpecularReflectionIsThatOfTheLowerNumbers) {
+TEST(NacreFlakeSampling, TheSpecularReflectionIsThatOfTheLowerNumbers) {
     for (const bool rough : {false, true}) {
         SCOPED_TRACE(rough);
         const BoundBsdf& surface = *model_with_every_feature(rough).bound;
@@ -254,7 +255,7 @@ TEST(NacreAsked, TheSpecularReflectionIsThatOfTheLowerNumbers) {
     }
 }
 
-TEST(NacreAsked, WhatIsLeftDoesNotDependOnWhoAsks) {
+TEST(NacreFlakeSampling, WhatIsLeftDoesNotDependOnWhoAsks) {
     for (const bool rough : {false, true}) {
         SCOPED_TRACE(rough);
         const SparklingModel& model = model_with_every_feature(rough);
@@ -262,12 +263,12 @@ TEST(NacreAsked, WhatIsLeftDoesNotDependOnWhoAsks) {
         Rng rng(3, 1);
         for (const double flakes : {0.5, 20.0, 1e4}) {
             Patch patch = apart(rng, side_of_flakes(flakes));
-            const BsdfValue asking = model.bound->evaluate_on(patch, wi, wo);
+            const BsdfValue sampled = model.bound->evaluate_on(patch, wi, wo);
             patch.flakes = Patch::Flakes::left_out;
-            const BsdfValue not_asking = model.bound->evaluate_on(patch, wi, wo);
-            EXPECT_NEAR(asking.f[3], not_asking.f[3], 1e-6f * asking.f[3]) << flakes;
-            EXPECT_EQ(asking.pdf, not_asking.pdf);
-            EXPECT_LT(asking.f[3], model.bound->eval(wi, wo)[3]);
+            const BsdfValue left_out = model.bound->evaluate_on(patch, wi, wo);
+            EXPECT_NEAR(sampled.f[3], left_out.f[3], 1e-6f * sampled.f[3]) << flakes;
+            EXPECT_EQ(sampled.pdf, left_out.pdf);
+            EXPECT_LT(sampled.f[3], model.bound->eval(wi, wo)[3]);
         }
     }
 }

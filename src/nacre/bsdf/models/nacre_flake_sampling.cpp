@@ -6,7 +6,7 @@
 #include "nacre/bsdf/models/nacre_flakes.h"
 #include "nacre/core/random.h"
 
-// The nacre model's flakes asked one by one: which directions, how bright each is guessed to be, and
+// The nacre model's flakes sampled one by one: which directions, how bright each is guessed to be, and
 // what it sends.
 
 namespace nacre::bsdf {
@@ -20,15 +20,15 @@ using sparkle::FlakeView;
 
 constexpr IntLanes kNumbers = {0, 1, 2, 3, 4, 5, 6, 7};
 
-// In how many directions each flake of a patch is asked: in proportion to its weight, as the noise
+// How many directions are drawn from each flake of a patch: in proportion to its weight, as the noise
 // that it makes is. Most flakes that touch a patch have hardly more than an edge on it, and weigh
 // little.
-class AskedDirections {
+class DirectionCounts {
  public:
     static constexpr int kMax = 4 * NacreSpecies::kMaxDirections;
 
     /// @param directions  of a flake of the mean weight, weighted by itself
-    AskedDirections(const FlakeView& view, int directions)
+    DirectionCounts(const FlakeView& view, int directions)
         : directions_(static_cast<float>(directions)) {
         FloatLanes sum{}, squares{};
         for (int first = 0; first < view.count; first += kLanes) {
@@ -41,7 +41,7 @@ class AskedDirections {
         per_mean_ = of_squares > 0 ? lane_sum(sum) / of_squares : 0.0f;
     }
 
-    /// Below 1, of flakes that weigh least: the probability with which they are asked.
+    /// Below 1, of flakes that weigh least: the probability with which they are sampled.
     /// @param weight  of one flake, or of eight
     template <class T>
     T of(const T& weight) const {
@@ -62,14 +62,14 @@ UintLanes bits_of_flakes(std::uint64_t random, const IntLanes& flakes) {
                        step * __builtin_convertvector(flakes + 1, UintLanes));
 }
 
-// The flakes of a patch that are asked, those with most directions first: eight that follow each
+// The flakes of a patch that are sampled, those with most directions first: eight that follow each
 // other then have nearly as many.
-class AskingOrder {
+class SamplingOrder {
  public:
-    /// @param random  by which flakes that weigh least are asked or not
-    AskingOrder(const FlakeView& view, const AskedDirections& directions, std::uint64_t random) {
+    /// @param random  by which flakes that weigh least are sampled or not
+    SamplingOrder(const FlakeView& view, const DirectionCounts& directions, std::uint64_t random) {
         std::array<std::uint8_t, FlakeView::kMax + kLanes> directions_of;
-        std::array<int, AskedDirections::kMax + 1> flakes_with{}, place{};
+        std::array<int, DirectionCounts::kMax + 1> flakes_with{}, place{};
         for (int first = 0; first < view.count; first += kLanes) {
             const FloatLanes number = directions.of(load_lanes(&view.weight[first]));
             const FloatLanes u = sparkle::unit_fraction(bits_of_flakes(random, kNumbers + first));
@@ -80,7 +80,7 @@ class AskingOrder {
                 ++flakes_with[here[lane]];
             }
         }
-        for (int n = AskedDirections::kMax; n > 0; --n) {
+        for (int n = DirectionCounts::kMax; n > 0; --n) {
             place[n] = count_;
             count_ += flakes_with[n];
         }
@@ -174,8 +174,8 @@ BoundNacre::SeenFlakes BoundNacre::seen_flakes(std::size_t species) const {
     return seen;
 }
 
-void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
-                            std::vector<AskedFlakes>& list) const {
+void BoundNacre::sample_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
+                               std::vector<FlakeSamples>& list) const {
     list.clear();
     // Directions of one flake are a lattice, shifted at random [cranley-patterson-1976].
     constexpr float kGolden = std::numbers::phi_v<float> - 1;
@@ -198,9 +198,9 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
         const Ray typical = typical_reflected(s, i);
         std::optional<HotSpot::Pair> pair;
         if (hot_spot_) pair.emplace(*hot_spot_, i, typical);
-        const AskedDirections directions(view, species.directions);
+        const DirectionCounts directions(view, species.directions);
         const std::uint64_t bits = hash_of(random, s);
-        const AskingOrder order(view, directions, ~bits);
+        const SamplingOrder order(view, directions, ~bits);
         for (int first = 0; first < order.count(); first += kLanes) {
             const IntLanes flakes_here = order.flakes(first);
             const FloatLanes weight = kNumbers + first < order.count()
@@ -248,15 +248,15 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
                 const FloatLanes seen =
                     strength * SeenFlakes::Place(oz, SeenFlakes::kIntervals).in(relative);
                 if (!any(leaves)) continue;
-                AskedFlakes& asked = list.emplace_back();
-                // A direction for those too that do not leave: whoever asks looks into tables by it.
-                asked.wo = {leaves ? ox : FloatLanes{}, leaves ? oy : FloatLanes{},
-                            leaves ? oz : splat(1.0f)};
-                asked.pdf = pdf;
-                asked.strength = leaves ? seen : FloatLanes{};
-                asked.colour = colour;
-                asked.species = static_cast<int>(s);
-                asked.number = flakes_here;
+                FlakeSamples& samples = list.emplace_back();
+                // A direction for those too that do not leave: whoever draws them looks into tables by it.
+                samples.wo = {leaves ? ox : FloatLanes{}, leaves ? oy : FloatLanes{},
+                              leaves ? oz : splat(1.0f)};
+                samples.pdf = pdf;
+                samples.strength = leaves ? seen : FloatLanes{};
+                samples.colour = colour;
+                samples.species = static_cast<int>(s);
+                samples.number = flakes_here;
             }
         }
     }
@@ -270,18 +270,18 @@ float BoundNacre::flake_pdf(const FlakeView& view, float directions, std::size_t
            solid_angle_ratio(o);
 }
 
-FloatLanes BoundNacre::flake_weight(const Patch& patch, Vec3f wi, const AskedFlake& asked) const {
+FloatLanes BoundNacre::flake_weight(const Patch& patch, Vec3f wi, const FlakeSample& sample) const {
     const PatchFlakes look(*this, patch, wi);
-    const Ray i = make_ray(wi), o = make_ray(asked.wo);
+    const Ray i = make_ray(wi), o = make_ray(sample.wo);
     const HalfVector half(i, o, coat());
-    const auto species = static_cast<std::size_t>(asked.species);
+    const auto species = static_cast<std::size_t>(sample.species);
     const sparkle::FlakeView& view = look[species];
     const float fraction = view.fraction(tables_->species[species].field.lobe(), half.slope,
-                                         half.cosine, asked.flake, half.spread2);
+                                         half.cosine, sample.flake, half.spread2);
     if (fraction == 0) return FloatLanes{};
     SomeFlakes flakes(*this, species, view, i, o);
-    flakes.add(asked.flake, fraction);
-    return single_value(i, o, flakes) * (asked.wo.z / asked.pdf);
+    flakes.add(sample.flake, fraction);
+    return single_value(i, o, flakes) * (sample.wo.z / sample.pdf);
 }
 
 FloatLanes BoundNacre::flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float pdf) const {
@@ -294,13 +294,13 @@ FloatLanes BoundNacre::flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float p
         const sparkle::DiffractionLobe& lobe = tables_->species[s].field.lobe();
         const sparkle::FlakeView& view = look[s];
         if (view.count == 0 || !lobe.reaches(half.slope2)) continue;
-        const AskedDirections directions(view, tables_->species[s].directions);
+        const DirectionCounts directions(view, tables_->species[s].directions);
         SomeFlakes flakes(*this, s, view, i, o);
         view.for_each_reflecting_flake(
             lobe, half.slope, half.cosine,
             [&](int k, float fraction) {
-                const float asked = flake_pdf(view, directions.of(view.weight[k]), s, k, i, o);
-                flakes.add(k, fraction * power_heuristic(pdf, asked));
+                const float own = flake_pdf(view, directions.of(view.weight[k]), s, k, i, o);
+                flakes.add(k, fraction * power_heuristic(pdf, own));
             },
             half.spread2);
         if (!flakes.empty()) sum += single_value(i, o, flakes);
