@@ -8,7 +8,7 @@ export function report(studio: Studio, as: "pdf" | "html"): void {
     const { document, settings } = studio.store.get();
     const { geometries, illuminant, observer, tolerance } = settings;
     studio.say("Making the report …");
-    const asked = studio.ask(
+    const asked = studio.connection.ask(
         "report",
         {
             recipe: document.recipe,

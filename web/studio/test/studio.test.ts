@@ -271,7 +271,7 @@ test("what is asked of a server that has gone is said or done when it is back", 
     const { studio } = await studioWith(server);
     server.answerOpen(PAINT);
     let lost = false;
-    const asked = studio.ask(
+    const asked = studio.connection.ask(
         "report",
         {},
         () => undefined,
