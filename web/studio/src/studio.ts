@@ -15,7 +15,7 @@ import { SparkleMeter } from "./sparkle";
 import type { Schema } from "./schema";
 import type { Session } from "./session";
 import type { Settings, State } from "./state";
-import { NO_ATLAS_SETUP, NO_FIT, NO_FIT_SETUP } from "./state";
+import { isCurrent, NO_ATLAS_SETUP, NO_FIT, NO_FIT_SETUP } from "./state";
 import { Store } from "./store";
 import type { Table } from "./tree";
 import { Viewer } from "./viewer";
@@ -29,6 +29,8 @@ interface PaintRequest {
     /** null: of a match, which is looked at beside the paint. */
     readonly document: Document | null;
     readonly settings: Settings;
+    /** By which it is read: a match by that of its fit. */
+    readonly model: string;
     /** In which the live picture shows it. */
     readonly lamp: string;
     /** When the change was made, for the time from slider to chips. */
@@ -69,11 +71,18 @@ export class Studio {
             paint: null,
             readings: null,
             readingsOf: null,
+            readingsBy: null,
             details: null,
             fault: null,
             notOpened: null,
             latency_ms: null,
-            settings: { geometries: "byk-mac", illuminant: "D65", observer: "10", tolerance: 1 },
+            settings: {
+                geometries: "byk-mac",
+                illuminant: "D65",
+                observer: "10",
+                model: "",
+                tolerance: 1,
+            },
             standard: null,
             sparkle: null,
             sparkleFraction: null,
@@ -89,6 +98,9 @@ export class Studio {
         });
         this.connection = new Connection(around, this.store, {
             begin: (schema) => {
+                const { settings } = this.store.get();
+                const model = settings.model === "" ? schema.reading_model : settings.model;
+                this.store.set({ settings: { ...settings, model } });
                 this.viewer.begin(schema);
             },
             start: (schema) => {
@@ -285,7 +297,8 @@ export class Studio {
         const { recipe } = document;
         this.viewer.hold("colours", true);
         const since = this.around.now();
-        this.painting.want({ recipe, document, settings, lamp: this.lamp, since });
+        const { model } = settings;
+        this.painting.want({ recipe, document, settings, model, lamp: this.lamp, since });
     }
 
     /**
@@ -295,7 +308,7 @@ export class Studio {
     whenCurrent(then: (state: State) => void): void {
         const look = (): boolean => {
             const state = this.store.get();
-            const current = state.readingsOf === state.document;
+            const current = isCurrent(state);
             if (current) then(state);
             return current || state.fault !== null || state.connection !== "open";
         };
@@ -310,13 +323,14 @@ export class Studio {
         return !this.painting.busy;
     }
 
-    private sendPaint({ recipe, document, settings, lamp, since }: PaintRequest): void {
+    private sendPaint({ recipe, document, settings, model, lamp, since }: PaintRequest): void {
         const { geometries, illuminant, observer, tolerance } = settings;
         const fields = {
             recipe,
             geometries,
             illuminant,
             observer,
+            model,
             tolerance: { limit: tolerance },
             shader: document !== null && this.viewer.wantsShader,
             lamp,
@@ -336,7 +350,13 @@ export class Studio {
                     break;
                 case "readings": {
                     const readings = message as unknown as Readings;
-                    this.store.set({ paint, readings, readingsOf: document, fault: null });
+                    this.store.set({
+                        paint,
+                        readings,
+                        readingsOf: document,
+                        readingsBy: settings,
+                        fault: null,
+                    });
                     chipsAreDrawn = new Promise((then) => {
                         this.around.drawn(() => {
                             details = { details: readings, latency_ms: this.around.now() - since };
@@ -384,7 +404,9 @@ export class Studio {
         if (match === undefined || this.painting.busy || !this.session.isOpen) return;
         const { recipe } = match;
         const since = this.around.now();
-        this.painting.want({ recipe, document: null, settings, lamp: this.lamp, since });
+        const { model } = fit;
+        const lamp = this.lamp;
+        this.painting.want({ recipe, document: null, settings, model, lamp, since });
     }
 
     private receiveMatch(
@@ -423,13 +445,14 @@ export class Studio {
     // ---- the fit ----
 
     fit(free: readonly string[], starts: number): void {
-        const { document } = this.store.get();
+        const { document, settings } = this.store.get();
+        const { model } = settings;
         if (!this.session.isOpen) {
             this.store.set({ fit: { ...NO_FIT, fault: NO_SERVER } });
             return;
         }
-        this.store.set({ fit: { ...NO_FIT, running: true, began: document } });
-        const fields = { recipe: document.recipe, free, starts };
+        this.store.set({ fit: { ...NO_FIT, running: true, began: document, model } });
+        const fields = { recipe: document.recipe, free, starts, model };
         this.fitId = this.session.send("fit", fields, (message) => {
             const { fit } = this.store.get();
             if (message.type === "progress") {
