@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """How long the studio's server takes from a slider's move to chips and the live picture's numbers.
 
-    bench/studio_latency.py [--program build/nacre] [--moves 40] [RECIPE ...]
+    bench/studio_latency.py [--program build/nacre] [--moves 40] [--model nacre] [RECIPE ...]
 
 Each move changes one number of the recipe and waits until all of its answers have come, over the
 loopback. What the browser does with them, drawing, is not in it. On Linux, `taskset -c 0,1` before
@@ -111,16 +111,15 @@ def moving_number(tree: dict[str, Any]) -> tuple[dict[str, Any], str]:
     raise RuntimeError("the recipe has no thickness to move")
 
 
-def measure(session: Session, toml: str, moves: int) -> dict[str, list[float]]:
+def measure(session: Session, toml: str, moves: int, model: str) -> dict[str, list[float]]:
     tree = session.answers({"type": "open", "id": 0, "toml": toml}, "recipe")["recipe"][1]["tree"]
     table, key = moving_number(tree)
     start = table[key]
     times: dict[str, list[float]] = {"readings": [], "shader": []}
     for move in range(-2, moves):
         table[key] = start * (1 + RANGE * (move + 3) / moves)
-        came = session.answers(
-            {"type": "paint", "id": move + 3, "recipe": tree, "shader": True}, "done"
-        )
+        message = {"type": "paint", "id": move + 3, "recipe": tree, "shader": True, "model": model}
+        came = session.answers(message, "done")
         for answer, so_far in times.items():
             if move >= 0:  # the first two find nothing in the caches
                 so_far.append(came[answer][0])
@@ -131,6 +130,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--program", default="build/nacre")
     parser.add_argument("--moves", type=int, default=40)
+    parser.add_argument("--model", default="microflake", help="by which chips are read")
     parser.add_argument("recipes", nargs="*", default=PAINTS, metavar="RECIPE")
     options = parser.parse_args()
     for part in ("chips", "live picture's numbers"):
@@ -154,7 +154,7 @@ def main() -> None:
             address = f"http://{host}:{port}/api/schema?token={token}"
             with urllib.request.urlopen(address) as schema:
                 toml = json.load(schema)["start"]
-            times = measure(Session(host, port, token), toml, options.moves)
+            times = measure(Session(host, port, token), toml, options.moves, options.model)
         finally:
             studio.terminate()
             studio.wait()

@@ -1,9 +1,12 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spawn.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "apps/cli/options.h"
 #include "apps/cli/paint_options.h"
@@ -21,7 +24,7 @@ namespace {
 struct StudioOptions : CommonOptions {
     std::string recipe;
     unsigned short port = 0;
-    std::string listen = "127.0.0.1";
+    std::string listen = "127.0.0.1", model = studio::kReadingModels[0].name;
     bool open_to_network = false, no_open = false;
 };
 
@@ -53,6 +56,11 @@ ExitStatus run(const StudioOptions& options) {
     }
     studio::ServerSettings settings{
         .address = options.listen, .port = options.port, .prepare = true};
+    try {
+        settings.reading_model = studio::parse_reading_model(options.model);
+    } catch (const InputError& error) {
+        throw UsageError(fmt::format("--model = {}: {}", options.model, error.what()));
+    }
     if (!options.recipe.empty()) settings.toml = text_of(options);
     const ThreadLimit threads(options.threads);
     studio::Server server(settings);
@@ -70,6 +78,15 @@ Command add_studio(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "studio", "Design a paint in the browser: sliders, angles, pictures, fits");
     command->add_option("RECIPE", options->recipe, "Recipe (TOML) or shipped paint to start with");
+    std::vector<std::string> models;
+    for (const studio::ReadingModel& model : studio::kReadingModels)
+        models.emplace_back(model.name);
+    command
+        ->add_option(
+            "--model", options->model,
+            fmt::format("Model by which paints are read at first, which the page can change: {}",
+                        fmt::join(models, ", ")))
+        ->capture_default_str();
     command->add_option("--port", options->port, "Port to listen at; 0 is any that is free")
         ->capture_default_str();
     command->add_flag("--no-open", options->no_open, "Only print the address, open no browser");

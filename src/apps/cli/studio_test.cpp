@@ -19,6 +19,13 @@ TEST_F(StudioProgram, ListensToOthersOnlyIfToldSoInSoManyWords) {
     EXPECT_EQ(nacre("studio --no-open --port 65536").status, 1);
 }
 
+TEST_F(StudioProgram, ReadsPaintsByModelsOfExactValuesOnly) {
+    const auto pictures = nacre("studio --no-open --model volume");
+    EXPECT_EQ(pictures.status, 1);
+    EXPECT_THAT(pictures.err, HasSubstr("--model = volume: is no model by which paints are read "
+                                        "here; there are: microflake, nacre"));
+}
+
 TEST_F(StudioProgram, StartsWithARecipeOnly) {
     EXPECT_EQ(nacre("studio --no-open nowhere.toml").status, 2);
     write("wrong.toml", "ior = 0\n");

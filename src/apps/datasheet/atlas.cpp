@@ -183,8 +183,20 @@ Atlas recipe_atlas(const paint::Recipe& recipe, const std::string& key,
                    const std::vector<double>& values,
                    const std::vector<measure::Geometry>& geometries,
                    const std::vector<double>& wavelengths_nm, const measure::Conditions& conditions,
-                   const Progress& progress) {
+                   const Progress& progress, RecipeReader read) {
     require_cells(values.size(), geometries.size());
+    if (!read) {
+        read = [&](const paint::Recipe& changed, const Progress& ask) {
+            const solver::SolvedPaint paint =
+                solver::solve(changed, wavelengths_nm, {}, nullptr, ask);
+            return measure::measure(
+                changed.name,
+                [&](double theta_i, double theta_o, double phi) {
+                    return paint.brdf(theta_i, theta_o, phi);
+                },
+                wavelengths_nm, geometries, conditions, ask);
+        };
+    }
     // All values are checked before the first is solved.
     for (const double value : values) {
         paint::Recipe changed = recipe;
@@ -207,13 +219,7 @@ Atlas recipe_atlas(const paint::Recipe& recipe, const std::string& key,
         work.throw_if_stopped(kMaking);
         paint::Recipe changed = recipe;
         paint::set_parameter(changed, key, values[v]);
-        const solver::SolvedPaint paint = solver::solve(changed, wavelengths_nm, {}, nullptr, ask);
-        const measure::Measurement readings = measure::measure(
-            changed.name,
-            [&](double theta_i, double theta_o, double phi) {
-                return paint.brdf(theta_i, theta_o, phi);
-            },
-            wavelengths_nm, geometries, conditions, ask);
+        const measure::Measurement readings = read(changed, ask);
         for (std::size_t g = 0; g < geometries.size(); ++g) {
             atlas.lab[g * values.size() + v] = readings.readings[g].lab;
         }

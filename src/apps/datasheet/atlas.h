@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -73,19 +74,25 @@ Atlas flake_atlas(const AtlasFlake& flake, const std::vector<double>& thickness_
                   const std::vector<double>& wavelengths_nm,
                   const measure::Conditions& conditions = {}, const Progress& progress = {});
 
+/// What an instrument reads on a recipe, at the geometries and under the conditions of an atlas.
+using RecipeReader =
+    std::function<measure::Measurement(const paint::Recipe&, const Progress& progress)>;
+
 /// What the whole paint shows, with all its layers and scattering: the recipe solved anew for each
 /// value of one of its numbers, read by an instrument with point apertures, without the specular
 /// reflection of its surface.
 ///
 /// @param key       as paint::find_parameter(): "layer[0].flakes[0].coats[0].thickness_nm"
 /// @param progress  asked after each value
+/// @param read      none: by the solved paint itself at `wavelengths_nm`
 /// @throws DomainError as paint::set_parameter() and solver::solve(), Error likewise or if
 ///         `progress` asks to stop
 Atlas recipe_atlas(const paint::Recipe& recipe, const std::string& key,
                    const std::vector<double>& values,
                    const std::vector<measure::Geometry>& geometries,
                    const std::vector<double>& wavelengths_nm,
-                   const measure::Conditions& conditions = {}, const Progress& progress = {});
+                   const measure::Conditions& conditions = {}, const Progress& progress = {},
+                   RecipeReader read = {});
 
 /// The atlas as a grid of chips (measure::srgb_chip_at_full_light()), with what they stand for:
 /// SVG 1.1 without scripts, as report::plot_svg().

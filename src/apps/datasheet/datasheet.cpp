@@ -423,8 +423,20 @@ std::string legend_of_two(const PanelReport& report) {
         " class=\"small\"");
 }
 
+bool has_two_models(const PanelReport& report) {
+    return report.reading_model && report.reading_model != report.model;
+}
+
+std::string models_in_words(const PanelReport& report) {
+    const auto words = [](const bsdf::ModelInfo& model) {
+        return fmt::format("{} ({})", model.name, model.source);
+    };
+    if (!has_two_models(report)) return words(*report.model);
+    return fmt::format("{}, but for {}, by the model {}", words(*report.reading_model),
+                       report.sparkle ? "pictures and sparkle" : "pictures", words(*report.model));
+}
+
 std::string method_html(const PanelReport& report) {
-    const bsdf::ModelInfo& model = *report.model;
     const std::string lamp = report.sample.readings.empty()
                                  ? ""
                                  : fmt::format("; {} geometries", report.sample.readings.size());
@@ -434,11 +446,11 @@ std::string method_html(const PanelReport& report) {
                     "excluded, as instruments exclude it. Flop index: 2.69 (L*15 − L*110)^1.11 / "
                     "L*45^0.86.",
                     conditions_text(report.sample.conditions), lamp),
-        fmt::format("All numbers and pictures are computed from the composition by the model {} "
-                    "({}){}. They say what a multi-angle instrument would read if the paint were "
+        fmt::format("All numbers and pictures are computed from the composition by the model {}{}. "
+                    "They say what a multi-angle instrument would read if the paint were "
                     "as described and the model true; they do not replace a panel that was "
                     "painted and measured.",
-                    model.name, model.source,
+                    models_in_words(report),
                     report.standard && report.standard->measured
                         ? ", but for the standard, which was measured"
                         : ""),
@@ -476,7 +488,10 @@ std::string panel_report_html(const PanelReport& report) {
     body += heading("Composition") + composition_html(report);
     body += heading("What these numbers are") + method_html(report);
     body += fmt::format(
-        "<footer>nacre {} · model {}{}</footer>\n", version(), report.model->name,
+        "<footer>nacre {} · model {}{}</footer>\n", version(),
+        has_two_models(report)
+            ? fmt::format("{} (pictures: {})", report.reading_model->name, report.model->name)
+            : std::string(report.model->name),
         report.recipe_sha256.empty() ? "" : " · recipe SHA-256 " + report.recipe_sha256);
     return report::page_html(report.title, "Virtual panel report", {}, body, panel_css());
 }

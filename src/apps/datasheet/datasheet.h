@@ -50,8 +50,9 @@ struct PanelStandard {
 };
 
 struct PanelReport {
-    std::string title = {};                  ///< plain text: the paint's name
-    const bsdf::ModelInfo* model = nullptr;  ///< never null
+    std::string title = {};                          ///< plain text: the paint's name
+    const bsdf::ModelInfo* model = nullptr;          ///< of the pictures; never null
+    const bsdf::ModelInfo* reading_model = nullptr;  ///< of the readings; null: the same
     measure::Measurement sample = {};
     std::optional<PanelStandard> standard = {};
     /// The first stands large, the others small beside it.

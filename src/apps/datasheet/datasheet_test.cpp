@@ -5,6 +5,7 @@
 
 #include "apps/report/test_support.h"
 #include "nacre/bsdf/models/microflake.h"
+#include "nacre/bsdf/models/nacre.h"
 #include "nacre/core/error.h"
 
 namespace nacre::datasheet {
@@ -63,6 +64,17 @@ TEST(PanelReport, IsOnePageWithoutScripts) {
                              "illuminant D65", "0123456789abcdef", "microflake"}) {
         EXPECT_THAT(html, HasSubstr(part));
     }
+}
+
+TEST(PanelReport, NamesTheModelOfThePicturesWhereItIsAnother) {
+    PanelReport report = example("x");
+    report.reading_model = report.model;
+    EXPECT_EQ(panel_report_html(report), panel_report_html(example("x")));
+    report.model = &bsdf::NacreModel::info;
+    EXPECT_THAT(panel_report_html(report),
+                AllOf(HasSubstr("by the model microflake ("),
+                      HasSubstr("but for pictures, by the model nacre (this project)."),
+                      HasSubstr("· model microflake (pictures: nacre) ·")));
 }
 
 TEST(PanelReport, ShowsEachReading) {

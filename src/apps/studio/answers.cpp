@@ -10,6 +10,7 @@
 #include "nacre/fit/free_numbers.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/measure/difference.h"
+#include "nacre/models/models.h"
 #include "nacre/paint/recipe_parameter.h"
 #include "nacre/spectra/colour.h"
 
@@ -267,10 +268,15 @@ void SolvedPaints::add(const std::string& toml, const Paint& paint) {
 
 // --------------------------------------------------------------------------------- answers
 
+MeasureSettings settings_of(const Viewed& viewed) {
+    return {.model = models::named_model(viewed.model),
+            .illuminant = viewed.illuminant,
+            .observer = viewed.observer};
+}
+
 Measurement standard_readings(const Paint& standard, const Viewed& viewed) {
     try {
-        return standard.measure({}, {.illuminant = viewed.illuminant, .observer = viewed.observer})
-            .measurement;
+        return standard.measure({}, settings_of(viewed)).measurement;
     } catch (const InputError&) {
         return standard.measure().measurement;
     }
@@ -306,15 +312,14 @@ Frames answer(const OpenRequest& request, const Context& context) {
 
 Frames answer(const PaintRequest& request, const Context& context) {
     const NamedPaint named = paint_of(request.recipe, context);
-    const Readings readings = named.paint.measure(
-        request.viewed.geometries,
-        {.illuminant = request.viewed.illuminant, .observer = request.viewed.observer},
-        context.progress);
+    const Readings readings = named.paint.measure(request.viewed.geometries,
+                                                  settings_of(request.viewed), context.progress);
     context.solved.add(named.toml, named.paint);
     const Measurement& measurement = readings.measurement;
 
     Tree json = {{"type", "readings"}, {"id", context.id}};
     json.update(colours_json(measurement));
+    json["model"] = request.viewed.model;
     json["flop_index"] = or_null(measure::flop_index(measurement));
     json["colour_travel"] = travel_json(measurement);
     json["standard"] = nullptr;
@@ -355,7 +360,9 @@ Frames answer(const StandardRequest& request, const Context& context) {
     if (standard->kind() != Kind::measured_colours && standard->kind() != Kind::recipe) {
         throw InputError(request.name + ": must hold measured colours, or a recipe");
     }
-    const Measurement measurement = standard->measure({}, {}, context.progress).measurement;
+    const Measurement measurement =
+        standard->measure({}, {.model = models::named_model(request.model)}, context.progress)
+            .measurement;
     context.memory.set_standard(standard);
     json.update(colours_json(measurement));
     json["notes"] = standard->notes();

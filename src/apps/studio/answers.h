@@ -96,6 +96,8 @@ Frames answer(const LightRequest& request, const Context& context);
 ///         `context.progress` asks to stop
 Frames answer(const Message& message, const Context& context);
 
+/// How a paint is read for a page; measured colours take no model.
+MeasureSettings settings_of(const Viewed& viewed);
 /// The standard's readings under the light of the page, or as they were made where they have no
 /// spectra.
 Measurement standard_readings(const Paint& standard, const Viewed& viewed);

@@ -32,6 +32,7 @@ void HttpAnswers::prepare(const std::function<bool()>& ending) {
     if (!schema_.empty()) return;
     Tree tree = schema([&](double) { return !ending(); });
     tree["start"] = toml_ ? Tree(*toml_) : Tree(nullptr);
+    tree["reading_model"] = reading_model_;
     schema_ = tree.dump();
 }
 

@@ -36,8 +36,11 @@ inline constexpr std::pair<const char*, const char*> kSecurityHeaders[] = {
 
 class HttpAnswers {
  public:
-    /// The recipe that the page shows first.
-    void start_with(std::optional<std::string> toml) { toml_ = std::move(toml); }
+    /// The recipe that the page shows first, and the model by which it reads paints at first.
+    void start_with(std::optional<std::string> toml, std::string reading_model) {
+        toml_ = std::move(toml);
+        reading_model_ = std::move(reading_model);
+    }
 
     /// From one thread at a time.
     /// @param ending  whether the server ends, so that no answer is wanted any more
@@ -49,6 +52,7 @@ class HttpAnswers {
     HttpAnswer api_answer(const Target& target, const std::function<bool()>& ending);
 
     std::optional<std::string> toml_;
+    std::string reading_model_;
     std::string schema_;  // once it has been asked for
 };
 

@@ -137,7 +137,10 @@ Frames answer(const FitRequest& request, const Context& context) {
     Teller teller(context, "fit");
     FitSettings settings;
     settings.starts = request.starts;
-    const Measurement wanted = standard->measure({}, {}, context.progress).measurement;
+    const Model model = models::named_model(request.model);
+    settings.target.hot_spot = shows_hot_spot(model);
+    const Measurement wanted =
+        standard->measure({}, {.model = model}, context.progress).measurement;
     const fit::FreeKeys free = named.paint.free_keys(request.free, settings, teller.part(0, 0.02));
     const Match found = named.paint.fit(wanted, free.keys, settings, teller.part(0.02, 1));
 
@@ -164,6 +167,7 @@ Frames answer(const FitRequest& request, const Context& context) {
     }
     return {{dumped({{"type", "matches"},
                      {"id", context.id},
+                     {"model", request.model},
                      {"matched", found.matched()},
                      {"within", found.matched_delta_e},
                      {"converged", found.converged},
@@ -182,11 +186,15 @@ Frames answer(const FitRequest& request, const Context& context) {
 Frames answer(const AtlasRequest& request, const Context& context) {
     const NamedPaint named = paint_of(request.recipe, context);
     Teller teller(context, "atlas");
+    const MeasureSettings settings = settings_of(request.viewed);
+    const auto read = [&](const paint::Recipe& recipe, const Progress& progress) {
+        return Paint(recipe).measure(request.viewed.geometries, settings, progress).measurement;
+    };
     const datasheet::Atlas atlas = datasheet::recipe_atlas(
         named.paint.recipe(), request.key, request.values, request.viewed.geometries,
         spectra::default_wavelengths_nm(),
         {.illuminant = request.viewed.illuminant, .observer = request.viewed.observer},
-        teller.part(0, 1));
+        teller.part(0, 1), read);
     Tree names = Tree::array(), lab = Tree::array(), rgb = Tree::array();
     for (std::size_t g = 0; g < atlas.geometries.size(); ++g) {
         names.push_back(atlas.geometries[g].name);
@@ -201,6 +209,7 @@ Frames answer(const AtlasRequest& request, const Context& context) {
     return {{dumped({{"type", "atlas"},
                      {"id", context.id},
                      {"key", request.key},
+                     {"model", request.viewed.model},
                      {"quantity", atlas.quantity},
                      {"values", atlas.values},
                      {"geometries", std::move(names)},
@@ -217,13 +226,12 @@ Frames answer(const ReportRequest& request, const Context& context) {
 
     datasheet::PanelReport page;
     page.model = &model.info();
+    page.reading_model = models::find_model(request.viewed.model);
     page.recipe = named.paint.recipe();
     page.recipe_sha256 = named.paint.recipe_sha256();
     page.sample =
         named.paint
-            .measure(request.viewed.geometries,
-                     {.illuminant = request.viewed.illuminant, .observer = request.viewed.observer},
-                     context.progress)
+            .measure(request.viewed.geometries, settings_of(request.viewed), context.progress)
             .measurement;
     page.title = page.sample.name;
     if (const auto standard = context.memory.standard()) {

@@ -7,6 +7,7 @@
 
 #include "apps/datasheet/catalogue.h"
 #include "apps/datasheet/composition.h"
+#include "apps/studio/messages/reading_models.h"
 #include "apps/studio/messages/stage.h"
 #include "nacre/core/csv.h"
 #include "nacre/core/error.h"
@@ -253,6 +254,14 @@ Tree geometry_sets_json() {
     return all;
 }
 
+Tree reading_models_json() {
+    Tree all = Tree::array();
+    for (const ReadingModel& model : kReadingModels) {
+        all.push_back({{"name", model.name}, {"title", model.title}});
+    }
+    return all;
+}
+
 }  // namespace
 
 Tree recipe_schema() {
@@ -281,6 +290,7 @@ Tree schema(const Progress& progress) {
             {"geometry_sets", geometry_sets_json()},
             {"illuminants", std::move(illuminants)},
             {"observers", std::move(observers)},
+            {"reading_models", reading_models_json()},
             {"shapes", shapes_json()},
             {"lights", lights_json()},
             {"mean_model", models::default_model().info().name}};

@@ -304,7 +304,7 @@ struct Server::State {
                                          settings.port, error.code().message()));
         }
         shared.token = new_token();
-        shared.answers.start_with(settings.toml);
+        shared.answers.start_with(settings.toml, settings.reading_model);
         if (settings.prepare) {
             net::post(shared.requests, [this] {
                 try {

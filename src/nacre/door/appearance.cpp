@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <tbb/task_arena.h>
 
 #include "nacre/core/file.h"
 #include "nacre/door/state.h"
@@ -41,6 +42,35 @@ bsdf::Patch square_mm(double x, double y, float side) {
     patch.footprint = {position_mm, normal, frame.s, {side * frame.s, side * frame.t}};
     return patch;
 }
+
+/// The values of a surface on any patch, whose single flakes are made when the first is asked for.
+class ValuesOnPatch {
+ public:
+    ValuesOnPatch(Paint paint, Model model, SolveSettings solve, std::vector<double> wavelengths_nm)
+        : paint_(std::move(paint)),
+          model_(std::move(model)),
+          solve_(std::move(solve)),
+          wavelengths_nm_(std::move(wavelengths_nm)) {}
+
+    std::vector<double> operator()(const bsdf::Patch& patch, double theta_i, double theta_o,
+                                   double phi) {
+        std::call_once(made_, [&] {
+            // Isolated, as Paint::solved(): who waits for parts of this must not begin other work of
+            // the caller's, which might wait for all of it.
+            tbb::this_task_arena::isolate(
+                [&] { bound_.emplace(*paint_.appearance(model_, solve_), wavelengths_nm_); });
+        });
+        return (*bound_)(theta_i, theta_o, phi, patch);
+    }
+
+ private:
+    const Paint paint_;
+    const Model model_;
+    const SolveSettings solve_;
+    const std::vector<double> wavelengths_nm_;
+    std::once_flag made_;
+    std::optional<models::SpectralBrdf> bound_;
+};
 
 /// The values at those of a solved paint's wavelengths that were asked for.
 measure::Brdf solved_values(std::shared_ptr<const solver::SolvedPaint> paint,
@@ -165,13 +195,31 @@ PaintBrdf Paint::brdf(const BrdfSettings& settings, const Progress& progress) co
         }
     }
     if (brdf.wavelengths_nm_.empty()) brdf.wavelengths_nm_ = spectra::default_wavelengths_nm();
-    const auto look = appearance(settings.model, solve, progress);
+    // Few who ask for values ask for those of single flakes, which take most of the time.
+    const auto* nacre = measured || has_table ? nullptr : model.get<NacreModel>();
+    const bool alone = nacre && !state_->known_look(model, solve);
+    std::shared_ptr<const bsdf::Bsdf> look;
+    if (alone) {
+        const auto paint = solved(solve, only_asking(progress));
+        look =
+            state_->naming_file([&] { return bsdf::Nacre::mean_alone(paint, *nacre, progress); });
+    } else {
+        look = appearance(settings.model, solve, progress);
+    }
     const auto bound = std::make_shared<const models::SpectralBrdf>(*look, brdf.wavelengths_nm_);
     brdf.values_ = [bound](double theta_i, double theta_o, double phi) {
         return (*bound)(theta_i, theta_o, phi);
     };
     brdf.coordinates_ = look->surface_coordinates();
-    if (look->varies_over_surface()) {
+    if (alone) {
+        const auto flakes =
+            std::make_shared<ValuesOnPatch>(*this, model, solve, brdf.wavelengths_nm_);
+        brdf.values_on_ = [flakes](const bsdf::Patch& patch) -> measure::Brdf {
+            return [flakes, patch](double theta_i, double theta_o, double phi) {
+                return (*flakes)(patch, theta_i, theta_o, phi);
+            };
+        };
+    } else if (look->varies_over_surface()) {
         brdf.values_on_ = [bound](const bsdf::Patch& patch) -> measure::Brdf {
             return [bound, patch](double theta_i, double theta_o, double phi) {
                 return (*bound)(theta_i, theta_o, phi, patch);

@@ -308,6 +308,29 @@ TEST(Appearance, PatchesShowTheirOwnFlakes) {
                 HasSubstr("side = -1: must be a number in (0, 10000] mm"));
 }
 
+TEST(Appearance, ValuesAloneAreThoseOfTheWholeSurface) {
+    for (const char* name : {"ruby", "satin-silver"}) {
+        const Paint paint = open(find_paint(name));
+        for (const Model& model : {Model(NacreModel{}), Model(NacreModel{.hot_spot = false})}) {
+            const PaintBrdf alone = paint.brdf({.model = model});
+            const auto look = paint.appearance(model);  // brdf() takes it as long as it is there
+            const PaintBrdf whole = paint.brdf({.model = model});
+            EXPECT_EQ(alone(0.8, 0.5, 3), whole(0.8, 0.5, 3)) << name;
+            EXPECT_EQ(alone(0.8, 1.2, 0.1), whole(0.8, 1.2, 0.1)) << name;
+            EXPECT_EQ(alone.on(1, 2, 0.5)(0.3, 0.3, 3), whole.on(1, 2, 0.5)(0.3, 0.3, 3)) << name;
+            EXPECT_NE(alone.on(1, 2, 0.5)(0.3, 0.3, 3), alone(0.3, 0.3, 3)) << name;
+        }
+    }
+}
+
+TEST(Appearance, AnyNumberOfThreadsMayAskForTheFirstPatch) {
+    const PaintBrdf brdf = open(find_paint("red-gold")).brdf({.model = NacreModel{}});
+    std::vector<std::vector<double>> values(64);
+    parallel_for(0, values.size(),
+                 [&](std::size_t i) { values[i] = brdf.on(1, 2, 0.5)(0.3, 0.3, 3); });
+    for (const auto& value : values) EXPECT_EQ(value, values[0]);
+}
+
 TEST(Measuring, ReadsWhatTheInstrumentReads) {
     const Readings readings = Paint(fit::testing::pearl()).measure();
     EXPECT_EQ(readings.measurement, fit::testing::read(fit::testing::pearl()));

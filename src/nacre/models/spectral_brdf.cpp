@@ -4,18 +4,20 @@
 #include <cmath>
 
 #include "nacre/bsdf/leaning_flakes.h"
+#include "nacre/core/parallel.h"
 
 namespace nacre::models {
 
 SpectralBrdf::SpectralBrdf(const bsdf::Bsdf& surface, std::vector<double> wavelengths_nm)
     : wavelengths_nm_(std::move(wavelengths_nm)) {
-    for (std::size_t first = 0; first < wavelengths_nm_.size(); first += kLanes) {
+    bound_.resize((wavelengths_nm_.size() + kLanes - 1) / kLanes);
+    parallel_for(0, bound_.size(), [&](std::size_t block) {
         bsdf::Wavelengths eight;
         for (int i = 0; i < kLanes; ++i) {
-            eight[i] = wavelengths_nm_[std::min(first + i, wavelengths_nm_.size() - 1)];
+            eight[i] = wavelengths_nm_[std::min(block * kLanes + i, wavelengths_nm_.size() - 1)];
         }
-        bound_.push_back(bsdf::bind_with_lean(surface, eight));
-    }
+        bound_[block] = bsdf::bind_with_lean(surface, eight);
+    });
 }
 
 std::vector<double> SpectralBrdf::operator()(double theta_i, double theta_o, double phi,

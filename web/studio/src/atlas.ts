@@ -52,7 +52,7 @@ export class Atlas {
 
     /** The paint with each of these in the place of what it has; what it has does not matter. */
     want(recipe: Table, path: Path, values: readonly number[], settings: Settings): void {
-        const { geometries, illuminant, observer } = settings;
+        const { geometries, illuminant, observer, model } = settings;
         const fields = {
             recipe: set(recipe, path, values[0]),
             key: pathText(path),
@@ -60,6 +60,7 @@ export class Atlas {
             geometries,
             illuminant,
             observer,
+            model,
         };
         const wanted = JSON.stringify(fields);
         if (wanted === this.wanted || values.length === 0) return;

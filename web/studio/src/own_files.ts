@@ -1,11 +1,11 @@
 /** A mesh, and light from all around, from files of the reader's. */
 
+import type { Connection } from "./connection";
 import { messageOf } from "./errors";
 import { base64Of, tooLarge } from "./files";
 import type { Attachment, Message } from "./protocol";
 import { readLight, readMesh } from "./renderer/paint";
 import type { LightInfo, ShapeInfo } from "./schema";
-import type { Answer } from "./session";
 import type { OwnFile, State } from "./state";
 import type { Store } from "./store";
 import type { Viewer } from "./viewer";
@@ -29,14 +29,7 @@ export class OwnFiles {
     constructor(
         private readonly store: Store<State>,
         private readonly viewer: Viewer,
-        /** @return whether there was somebody to ask */
-        private readonly ask: (
-            type: OwnKind,
-            fields: Readonly<Record<string, unknown>>,
-            answer: Answer,
-            progress: undefined,
-            lost: () => void,
-        ) => boolean,
+        private readonly connection: Connection,
     ) {}
 
     /** To a server that knows nothing of them. */
@@ -65,7 +58,7 @@ export class OwnFiles {
         try {
             const base64 = await base64Of(file);
             const fields = { file: file.name.slice(-MOST_NAME), base64 };
-            const sent = this.ask(
+            const sent = this.connection.ask(
                 what,
                 what === "shape" ? { ...fields, y_up: yUp } : fields,
                 (message, attachments) => {

@@ -6,15 +6,16 @@ import type { Studio } from "./studio";
 /** @param as  pdf: the browser's way to paper and PDF opens; html: a file is saved */
 export function report(studio: Studio, as: "pdf" | "html"): void {
     const { document, settings } = studio.store.get();
-    const { geometries, illuminant, observer, tolerance } = settings;
+    const { geometries, illuminant, observer, model, tolerance } = settings;
     studio.say("Making the report …");
-    const asked = studio.ask(
+    const asked = studio.connection.ask(
         "report",
         {
             recipe: document.recipe,
             geometries,
             illuminant,
             observer,
+            model,
             tolerance: { limit: tolerance },
         },
         (message) => {

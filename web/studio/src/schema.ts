@@ -95,12 +95,20 @@ export interface Schema {
     readonly geometry_sets: readonly GeometrySet[];
     readonly illuminants: readonly string[];
     readonly observers: readonly string[];
+    /** By which paints can be read, and the one to begin with. */
+    readonly reading_models: readonly { readonly name: string; readonly title: string }[];
+    readonly reading_model: string;
     readonly shapes: readonly ShapeInfo[];
     readonly lights: readonly LightInfo[];
     /** By which the path tracer's picture shows the mean of the flakes. */
     readonly mean_model: string;
     /** The paint that the command line named. */
     readonly start: string | null;
+}
+
+/** A model by which paints are read, as people call it. */
+export function modelTitle(schema: Schema, name: string): string {
+    return schema.reading_models.find((model) => model.name === name)?.title ?? name;
 }
 
 export function tableInfo(schema: Schema, path: Path): TableInfo | undefined {

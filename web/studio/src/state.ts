@@ -8,6 +8,8 @@ export interface Settings {
     readonly geometries: string;
     readonly illuminant: string;
     readonly observer: string;
+    /** By which paints are read, and seen by fits; empty until the server has said with which to begin. */
+    readonly model: string;
     /** Of Delta E 2000 at each angle. */
     readonly tolerance: number;
 }
@@ -21,6 +23,8 @@ export interface FitState {
     readonly fault: string | null;
     /** The paint from which it began. */
     readonly began: Document | null;
+    /** By which it saw paints. */
+    readonly model: string;
 }
 
 /** What was chosen for the next fit. */
@@ -57,8 +61,9 @@ export interface State {
     /** The last recipe that could be read, and what is to be said of it. */
     readonly paint: RecipeMessage | null;
     readonly readings: Readings | null;
-    /** Of which the readings are. */
+    /** Of which the readings are, and how they were made. */
     readonly readingsOf: Document | null;
+    readonly readingsBy: Settings | null;
     /** The readings for plots and tables, which come after the picture: what a slider changes first is chips. */
     readonly details: Readings | null;
     readonly fault: ErrorMessage | null;
@@ -81,6 +86,11 @@ export interface State {
     readonly notice: string;
 }
 
+/** Whether the readings are of the paint as it is now, and made as was chosen. */
+export function isCurrent({ readingsOf, document, readingsBy, settings }: State): boolean {
+    return readingsOf === document && readingsBy === settings;
+}
+
 export const NO_FIT_SETUP: FitSetup = { said: new Map(), starts: 4 };
 export const NO_ATLAS_SETUP: AtlasSetup = { key: null, ends: new Map() };
 
@@ -91,4 +101,5 @@ export const NO_FIT: FitState = {
     colours: [],
     fault: null,
     began: null,
+    model: "",
 };

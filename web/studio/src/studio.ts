@@ -1,54 +1,45 @@
 /** What the page does: edits, undo, asking the server, and keeping what it answers. */
 
 import { Atlas } from "./atlas";
+import type { Server } from "./connection";
+import { Connection } from "./connection";
 import type { Document } from "./edit";
 import { messageOf } from "./errors";
 import { History } from "./history";
 import { Latest } from "./latest";
-import { textTooLarge, tooLarge } from "./files";
+import { tooLarge } from "./files";
 import { fromFragment, linkIn, toFragment } from "./link";
 import type { ErrorMessage, Match, Message, Readings, RecipeMessage, Standard } from "./protocol";
 import { kindOf, OwnFiles } from "./own_files";
 import { SparkleMeter } from "./sparkle";
 import type { Schema } from "./schema";
-import type { Answer, Socket } from "./session";
-import { Session } from "./session";
+import type { Session } from "./session";
 import type { Settings, State } from "./state";
-import { NO_ATLAS_SETUP, NO_FIT, NO_FIT_SETUP } from "./state";
+import { isCurrent, NO_ATLAS_SETUP, NO_FIT, NO_FIT_SETUP } from "./state";
 import { Store } from "./store";
 import type { Table } from "./tree";
 import { Viewer } from "./viewer";
 
 const EMPTY: Document = { recipe: {}, locks: new Set() };
-/** The text of paints that have none of their own. */
-const WITHOUT_COMMENTS = "ior = 1.5\n[[layer]]\nthickness_um = 1\n";
 const LINK_AFTER_MS = 400;
 const NO_SERVER = "There is no server to fit it; begin again when it answers.";
-
-/** A standard's text; no csv: none. */
-interface StandardText {
-    readonly csv: string | null;
-    readonly name: string;
-}
 
 interface PaintRequest {
     readonly recipe: Table;
     /** null: of a match, which is looked at beside the paint. */
     readonly document: Document | null;
     readonly settings: Settings;
+    /** By which it is read: a match by that of its fit. */
+    readonly model: string;
     /** In which the live picture shows it. */
     readonly lamp: string;
     /** When the change was made, for the time from slider to chips. */
     readonly since: number;
 }
 
-export interface Surroundings {
-    readonly connect: () => Socket;
-    readonly schema: () => Promise<Schema>;
+export interface Surroundings extends Server {
     /** What the server has at an address of its own. */
     readonly bytes: (path: string) => Promise<ArrayBuffer>;
-    /** Whether what answers refuses this page's token. */
-    readonly refused: () => Promise<boolean>;
     readonly now: () => number;
     /** Calls back when what was set has been drawn. */
     readonly drawn: (then: () => void) => void;
@@ -59,6 +50,7 @@ export interface Surroundings {
 
 export class Studio {
     readonly store: Store<State>;
+    readonly connection: Connection;
     readonly viewer: Viewer;
     readonly atlas: Atlas;
     readonly sparkle: SparkleMeter;
@@ -66,17 +58,8 @@ export class Studio {
     private readonly history = new History<Document>(EMPTY);
     private readonly session: Session;
     private readonly painting: Latest<PaintRequest>;
-    /** The standard that the server took last, and what it has yet to answer for. */
-    private standardText: StandardText | null = null;
-    private standardAsked: StandardText | null = null;
-    /** The text that the server knows as opened, and one that it has yet to answer for. */
-    private openedText: string | null = null;
-    private toOpen: string | null = null;
-    /** Told when what was asked will not be answered, by the id of the question. */
-    private readonly lost = new Map<number, () => void>();
     private linkTimer: ReturnType<typeof setTimeout> | undefined;
     private fitId: number | null = null;
-    private begun = false;
 
     constructor(private readonly around: Surroundings) {
         this.store = new Store<State>({
@@ -88,11 +71,18 @@ export class Studio {
             paint: null,
             readings: null,
             readingsOf: null,
+            readingsBy: null,
             details: null,
             fault: null,
             notOpened: null,
             latency_ms: null,
-            settings: { geometries: "byk-mac", illuminant: "D65", observer: "10", tolerance: 1 },
+            settings: {
+                geometries: "byk-mac",
+                illuminant: "D65",
+                observer: "10",
+                model: "",
+                tolerance: 1,
+            },
             standard: null,
             sparkle: null,
             sparkleFraction: null,
@@ -106,10 +96,29 @@ export class Studio {
         this.painting = new Latest((request) => {
             this.sendPaint(request);
         });
-        this.session = new Session(around.connect, (open) => {
-            if (open) void this.connected();
-            else this.disconnected();
+        this.connection = new Connection(around, this.store, {
+            begin: (schema) => {
+                const { settings } = this.store.get();
+                const model = settings.model === "" ? schema.reading_model : settings.model;
+                this.store.set({ settings: { ...settings, model } });
+                this.viewer.begin(schema);
+            },
+            start: (schema) => {
+                void this.start(schema);
+            },
+            back: () => {
+                this.ownFiles.bringAgain();
+                this.measure();
+            },
+            lost: () => {
+                this.abandon();
+            },
+            opened: (document) => {
+                this.load(document);
+            },
+            standardTaken: this.standardTaken.bind(this),
         });
+        this.session = this.connection.session;
         this.viewer = new Viewer(this.session);
         let shownIn = this.lamp;
         this.viewer.store.subscribe(() => {
@@ -121,62 +130,30 @@ export class Studio {
             this.viewer.hold("atlas", busy);
         });
         this.sparkle = new SparkleMeter(this.store, this.session);
-        this.ownFiles = new OwnFiles(this.store, this.viewer, this.ask.bind(this));
+        this.ownFiles = new OwnFiles(this.store, this.viewer, this.connection);
     }
 
-    // ---- the connection ----
-
-    private async connected(): Promise<void> {
-        try {
-            const schema = this.store.get().schema ?? (await this.around.schema());
-            this.store.set({ connection: "open", schema });
-            this.viewer.begin(schema);
-        } catch (error) {
-            this.say(`The server does not say what a paint has: ${messageOf(error)}`);
-            return;
-        }
-        const again = this.standardAsked;
-        if (this.standardText !== null) this.sendStandard(this.standardText);
-        if (again !== null) this.sendStandard(again);
-        this.ownFiles.bringAgain();
-        if (this.begun) {
-            this.measure();
-            if (this.toOpen !== null) this.openText(this.toOpen);
-            return;
-        }
-        this.begun = true;
-        if (this.toOpen !== null) this.openText(this.toOpen);
-        else if (!(await this.openLink(this.around.fragment()))) this.openFirst();
+    /** The paint of the address, else that which the command line named, else the first that ships. */
+    private async start(schema: Schema): Promise<void> {
+        if (await this.openLink(this.around.fragment())) return;
+        const toml = schema.start ?? schema.paints[0]?.toml;
+        if (toml !== undefined) this.openText(toml);
     }
 
-    private disconnected(): void {
-        void this.around.refused().then((refused) => {
-            if (refused && !this.session.isOpen) this.store.set({ connection: "refused" });
-        });
+    /** What the server was working on will not be answered. */
+    private abandon(): void {
         this.painting.abandon();
         this.viewer.hold("colours", false);
         this.viewer.abandon();
         this.atlas.stop();
         this.ownFiles.abandon();
-        this.openedText = null;
-        for (const tell of this.lost.values()) tell();
-        this.lost.clear();
-        this.fitId = null;
-        const { connection } = this.store.get();
-        this.store.set({ connection: connection === "refused" ? "refused" : "gone" });
         this.sparkle.abandon();
+        this.fitId = null;
         const { fit } = this.store.get();
         if (fit.running) {
             const fault = "The server went away before the fit had ended.";
             this.store.set({ fit: { ...fit, running: false, fault } });
         }
-    }
-
-    /** The paint that the command line named, else the first that ships. */
-    private openFirst(): void {
-        const { schema } = this.store.get();
-        const toml = schema?.start ?? schema?.paints[0]?.toml;
-        if (toml !== undefined) this.openText(toml);
     }
 
     /** A place for the live picture, which is begun anew where the graphics processor was lost and is back. */
@@ -228,26 +205,8 @@ export class Studio {
         }, LINK_AFTER_MS);
     }
 
-    /** A text that was typed, dropped or chosen; a faulty one changes nothing and is said. */
-    openText(toml: string, name = "The text"): void {
-        const large = textTooLarge(name, toml);
-        if (large !== null) {
-            this.store.set({ notOpened: large });
-            return;
-        }
-        this.toOpen = toml; // when there is a server
-        if (!this.session.isOpen) return;
-        const id = this.session.send("open", { toml }, (message) => {
-            this.session.forget(id);
-            if (this.toOpen === toml) this.toOpen = null;
-            if (message.type === "error") {
-                this.store.set({ notOpened: String(message.message) });
-                return;
-            }
-            const recipe = (message as unknown as RecipeMessage).tree;
-            this.openedText = toml;
-            this.load({ recipe, locks: new Set(), toml });
-        });
+    openText(toml: string, name?: string): void {
+        this.connection.openText(toml, name);
     }
 
     /** Another paint: what was found and chosen for the one before goes. */
@@ -303,7 +262,7 @@ export class Studio {
         try {
             const document = await fromFragment(fragment);
             if (document === null) return false;
-            this.toOpen = null;
+            this.connection.openNothing();
             this.load(document);
             return true;
         } catch (error) {
@@ -338,7 +297,8 @@ export class Studio {
         const { recipe } = document;
         this.viewer.hold("colours", true);
         const since = this.around.now();
-        this.painting.want({ recipe, document, settings, lamp: this.lamp, since });
+        const { model } = settings;
+        this.painting.want({ recipe, document, settings, model, lamp: this.lamp, since });
     }
 
     /**
@@ -348,7 +308,7 @@ export class Studio {
     whenCurrent(then: (state: State) => void): void {
         const look = (): boolean => {
             const state = this.store.get();
-            const current = state.readingsOf === state.document;
+            const current = isCurrent(state);
             if (current) then(state);
             return current || state.fault !== null || state.connection !== "open";
         };
@@ -363,26 +323,19 @@ export class Studio {
         return !this.painting.busy;
     }
 
-    private sendPaint({ recipe, document, settings, lamp, since }: PaintRequest): void {
+    private sendPaint({ recipe, document, settings, model, lamp, since }: PaintRequest): void {
         const { geometries, illuminant, observer, tolerance } = settings;
         const fields = {
             recipe,
             geometries,
             illuminant,
             observer,
+            model,
             tolerance: { limit: tolerance },
             shader: document !== null && this.viewer.wantsShader,
             lamp,
         };
-        // Undo may have gone back to a paint of another text, whose comments are to be kept. One of a
-        // link has no text: it must not take those of the text before it.
-        const text = document === null ? this.openedText : (document.toml ?? WITHOUT_COMMENTS);
-        if (text !== null && text !== this.openedText) {
-            this.openedText = text;
-            const id = this.session.send("open", { toml: text }, () => {
-                this.session.forget(id);
-            });
-        }
+        if (document !== null) this.connection.tellTextOf(document);
         let chipsAreDrawn = Promise.resolve();
         let paint: RecipeMessage | null = null;
         let details: Pick<State, "details" | "latency_ms"> | null = null;
@@ -397,7 +350,13 @@ export class Studio {
                     break;
                 case "readings": {
                     const readings = message as unknown as Readings;
-                    this.store.set({ paint, readings, readingsOf: document, fault: null });
+                    this.store.set({
+                        paint,
+                        readings,
+                        readingsOf: document,
+                        readingsBy: settings,
+                        fault: null,
+                    });
                     chipsAreDrawn = new Promise((then) => {
                         this.around.drawn(() => {
                             details = { details: readings, latency_ms: this.around.now() - since };
@@ -445,7 +404,9 @@ export class Studio {
         if (match === undefined || this.painting.busy || !this.session.isOpen) return;
         const { recipe } = match;
         const since = this.around.now();
-        this.painting.want({ recipe, document: null, settings, lamp: this.lamp, since });
+        const { model } = fit;
+        const lamp = this.lamp;
+        this.painting.want({ recipe, document: null, settings, model, lamp, since });
     }
 
     private receiveMatch(
@@ -469,47 +430,29 @@ export class Studio {
     // ---- the standard ----
 
     setStandard(csv: string | null, name: string): void {
-        const large = csv === null ? null : textTooLarge(name, csv);
-        if (large !== null) {
-            this.say(large);
-            return;
-        }
-        this.standardAsked = { csv, name };
-        this.sendStandard(this.standardAsked);
+        this.connection.setStandard(csv, name);
     }
 
-    private sendStandard(asked: StandardText): void {
-        if (!this.session.isOpen) return; // when there is a server
-        const { csv, name } = asked;
-        const id = this.session.send("standard", { csv, name }, (message) => {
-            this.session.forget(id);
-            const isNew = asked === this.standardAsked;
-            if (isNew) this.standardAsked = null;
-            if (message.type === "error") {
-                this.say(`The standard cannot be used: ${String(message.message)}`);
-                return;
-            }
-            this.standardText = csv === null ? null : asked;
-            const standard = csv === null ? null : (message as unknown as Standard);
-            if (isNew) {
-                this.stopFit();
-                this.store.set({ fit: NO_FIT });
-            }
-            this.store.set({ standard, notice: standard?.notes.join(" ") ?? "" });
-            this.measure();
-        });
+    private standardTaken(standard: Standard | null, isNew: boolean): void {
+        if (isNew) {
+            this.stopFit();
+            this.store.set({ fit: NO_FIT });
+        }
+        this.store.set({ standard, notice: standard?.notes.join(" ") ?? "" });
+        this.measure();
     }
 
     // ---- the fit ----
 
     fit(free: readonly string[], starts: number): void {
-        const { document } = this.store.get();
+        const { document, settings } = this.store.get();
+        const { model } = settings;
         if (!this.session.isOpen) {
             this.store.set({ fit: { ...NO_FIT, fault: NO_SERVER } });
             return;
         }
-        this.store.set({ fit: { ...NO_FIT, running: true, began: document } });
-        const fields = { recipe: document.recipe, free, starts };
+        this.store.set({ fit: { ...NO_FIT, running: true, began: document, model } });
+        const fields = { recipe: document.recipe, free, starts, model };
         this.fitId = this.session.send("fit", fields, (message) => {
             const { fit } = this.store.get();
             if (message.type === "progress") {
@@ -559,34 +502,5 @@ export class Studio {
                     );
                 },
             );
-    }
-
-    // ---- other questions ----
-
-    /**
-     * One question, one answer.
-     * @param progress  told how far it is meanwhile
-     * @param lost  told when the server goes away before it has answered
-     * @return whether there was somebody to ask
-     */
-    ask(
-        type: string,
-        fields: Readonly<Record<string, unknown>>,
-        answer: Answer,
-        progress: (fraction: number) => void = () => undefined,
-        lost: () => void = () => undefined,
-    ): boolean {
-        if (!this.session.isOpen) return false;
-        const id = this.session.send(type, fields, (message, attachments) => {
-            if (message.type === "progress") {
-                progress(Number(message.fraction));
-                return;
-            }
-            this.session.forget(id);
-            this.lost.delete(id);
-            answer(message, attachments);
-        });
-        this.lost.set(id, lost);
-        return true;
     }
 }

@@ -122,7 +122,9 @@ function Saving(): VNode {
                 onClick={() => {
                     studio.whenCurrent((state) => {
                         const csv = state.readings?.csv ?? "";
-                        save(fileName(nameOf(state), "csv"), csv, "text/csv");
+                        // The table itself does not say by which model it was read.
+                        const ending = `${state.readingsBy?.model ?? ""}.csv`;
+                        save(fileName(nameOf(state), ending), csv, "text/csv");
                     });
                 }}
             >

@@ -5,7 +5,7 @@
  */
 
 import assert from "node:assert/strict";
-import { writeFile } from "node:fs/promises";
+import { readFile, writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import { test } from "node:test";
 import {
@@ -65,6 +65,75 @@ test("a slider that is moved shows the colours that nacre measure has", async ()
         });
     }
     assert.equal((await saved("Readings")).text, measured);
+});
+
+/** Waits until the fit that was begun has found something, and takes it. */
+async function useMatch(): Promise<void> {
+    await page.getByRole("button", { name: "Use match 1" }).click();
+    await settled();
+}
+
+test("by the model that is chosen, chips, files and fits are those of the commands with --model", async () => {
+    await open();
+    const model = page.locator("[aria-label='Readings by']");
+    assert.equal(await model.inputValue(), "microflake");
+    const first = await chips();
+    const place = await page.locator(".chips").boundingBox();
+    await model.selectOption("nacre");
+    await settled();
+    assert.deepEqual(await page.locator(".chips").boundingBox(), place, "nothing jumps");
+    const shown = await chips();
+    const readings = await saved("Readings");
+    assert.equal(
+        readings.text,
+        await nacre("measure", "red-gold", "--model", "nacre", "--geometry", "byk-mac"),
+    );
+    assert.match(readings.name, /\.nacre\.csv$/);
+    for (const { geometry = "", L, a, b } of parsedCsv(readings.text)) {
+        assert.deepEqual(shown.get(geometry), [L, a, b].map(Number), geometry);
+        assert.notDeepEqual(shown.get(geometry), first.get(geometry), geometry);
+    }
+
+    // The fit's recipe is that of nacre fit, number by number.
+    const standard = join(folder, "by-nacre.csv");
+    await writeFile(standard, readings.text);
+    await type(FILM, "190");
+    await settled();
+    const start = await saved("Save recipe");
+    await page.setInputFiles("[aria-label='File of a standard']", standard);
+    await page.waitForFunction(() => document.querySelectorAll(".chip .delta.fails").length > 0);
+    await page.getByRole("tab", { name: "Fit" }).click();
+    for (const label of await page.locator(".free").all()) {
+        const film = /^Thickness.*, SiO2190/.test((await label.textContent()) ?? "");
+        await label.locator("input").setChecked(film);
+    }
+    await page.getByLabel("Starts").fill("1");
+    await page.getByLabel("Starts").press("Enter");
+    await page.getByRole("button", { name: "Fit 1 number" }).click();
+    await useMatch();
+    const found = await saved("Save recipe");
+    const wanted = join(folder, "fitted.toml");
+    const free = ["--free", FILM, "--starts", "1", "--model", "nacre"];
+    await nacre("fit", standard, "--start", start.path, ...free, "-o", wanted);
+    assert.equal(found.text, await readFile(wanted, "utf8"));
+
+    // What was found goes by the model that found it, which is said where readings go by another.
+    assert.equal(await page.locator(".found-by").count(), 0);
+    await model.selectOption("microflake");
+    await settled();
+    assert.match((await page.textContent(".found-by")) ?? "", /^Found and read by nacre/);
+    await page.click("[aria-label='Remove the standard']");
+    await page.waitForFunction(() => document.querySelectorAll(".chip .delta").length === 0);
+});
+
+test("the command line says by which model readings begin", async () => {
+    const other = await Program.start("red-gold", "--model", "nacre");
+    const tab = await newPage();
+    await tab.goto(other.url);
+    await tab.waitForSelector(".chips[data-current=true]");
+    assert.equal(await tab.inputValue("[aria-label='Readings by']"), "nacre");
+    await tab.close();
+    await other.end();
 });
 
 test("undo and redo take a whole drag back and forth", async () => {

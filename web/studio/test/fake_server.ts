@@ -206,6 +206,11 @@ export const SCHEMA: Schema = {
     geometry_sets: [{ name: "byk-mac", geometries: ["45as15"] }],
     illuminants: ["D65"],
     observers: ["10"],
+    reading_models: [
+        { name: "microflake", title: "micro-flakes" },
+        { name: "nacre", title: "nacre, as the picture" },
+    ],
+    reading_model: "microflake",
     shapes: [],
     lights: [],
     mean_model: "microflake",

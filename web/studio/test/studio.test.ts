@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { setValue } from "../src/edit";
 import { toFragment } from "../src/link";
+import { isCurrent } from "../src/state";
 import { Studio } from "../src/studio";
 import type { Table } from "../src/tree";
 import { get, parsePath } from "../src/tree";
@@ -12,11 +13,14 @@ import { COAT, FakeServer, PAINT, SCHEMA } from "./fake_server";
 /** Lets promises that are settled be heard. */
 const settle = () => new Promise((resolve) => setTimeout(resolve, 5));
 
-async function studioWith(server: FakeServer): Promise<{ studio: Studio; clock: { ms: number } }> {
+async function studioWith(
+    server: FakeServer,
+    schema = SCHEMA,
+): Promise<{ studio: Studio; clock: { ms: number } }> {
     const clock = { ms: 0 };
     const studio = new Studio({
         connect: server.connect,
-        schema: () => Promise.resolve(SCHEMA),
+        schema: () => Promise.resolve(schema),
         bytes: () => Promise.reject(new Error("no bytes here")),
         refused: () => Promise.resolve(server.refuses),
         now: () => clock.ms,
@@ -271,7 +275,7 @@ test("what is asked of a server that has gone is said or done when it is back", 
     const { studio } = await studioWith(server);
     server.answerOpen(PAINT);
     let lost = false;
-    const asked = studio.ask(
+    const asked = studio.connection.ask(
         "report",
         {},
         () => undefined,
@@ -338,4 +342,59 @@ test("a paint of a link has not the comments of the text before it", async () =>
     const told = server.received("open").slice(count);
     assert.equal(told.length, 1);
     assert.doesNotMatch(String(told[0]?.toml), /#/);
+});
+
+test("paints are read by the model that was chosen, and a match by that of its fit", async () => {
+    const server = new FakeServer();
+    const { studio } = await studioWith(server);
+    server.answerOpen(PAINT);
+    const models = () => server.received("paint").map(({ model }) => model);
+    assert.deepEqual(models(), ["microflake"], "as the server wants to begin");
+    server.answerPaint();
+    assert.ok(isCurrent(studio.store.get()));
+    let saved = "";
+    studio.setSettings({ model: "nacre" });
+    studio.whenCurrent(({ readingsBy }) => {
+        saved = readingsBy?.model ?? "";
+    });
+    assert.ok(!isCurrent(studio.store.get()), "what is shown is of the other model");
+    assert.equal(saved, "");
+    assert.deepEqual(models(), ["microflake", "nacre"]);
+    server.answerPaint();
+    assert.equal(saved, "nacre");
+    studio.undo();
+    server.answerPaint();
+    assert.equal(studio.store.get().settings.model, "nacre", "no part of the paint");
+
+    studio.fit([COAT], 1);
+    const fit = server.received("fit").at(-1);
+    assert.equal(fit?.model, "nacre");
+    studio.setSettings({ model: "microflake" });
+    server.answerPaint();
+    server.answer({ type: "matches", id: fit.id, matches: [{ recipe: PAINT, parameters: [] }] });
+    assert.equal(server.received("paint").at(-1)?.model, "nacre");
+    assert.equal(studio.store.get().fit.model, "nacre");
+    server.answerPaint();
+    assert.equal(studio.store.get().fit.colours.length, 1);
+    assert.equal(studio.store.get().readingsBy?.model, "microflake");
+
+    // Another program may begin with another model: the choice is the page's.
+    server.drop();
+    await server.reconnected;
+    server.open();
+    await settle();
+    assert.equal(server.received("paint").at(-1)?.model, "microflake");
+});
+
+test("the model of the command line is there from the first reading on", async () => {
+    const server = new FakeServer();
+    const { studio } = await studioWith(server, { ...SCHEMA, reading_model: "nacre" });
+    server.answerOpen(PAINT);
+    assert.equal(server.received("paint")[0]?.model, "nacre");
+    assert.equal(studio.store.get().settings.model, "nacre");
+    const { document, settings } = studio.store.get();
+    studio.atlas.want(document.recipe, parsePath(COAT), [1, 2], settings);
+    while (server.received("atlas").length === 0) await settle();
+    assert.equal(server.received("atlas")[0]?.model, "nacre");
+    studio.atlas.stop();
 });

@@ -143,6 +143,11 @@ spectra::Illuminant illuminant_of(Fields& fields, const char* key) {
     return fields.parsed(key, [&] { return spectra::parse_illuminant(name); });
 }
 
+std::string reading_model_of(Fields& fields) {
+    const std::string name = fields.text("model", kReadingModels[0].name, kMaxNameBytes);
+    return fields.parsed("model", [&] { return parse_reading_model(name); });
+}
+
 Viewed viewed_of(Fields& fields) {
     Viewed viewed;
     const std::string set = fields.text("geometries", measure::kDefaultGeometries, 10'000);
@@ -164,6 +169,7 @@ Viewed viewed_of(Fields& fields) {
     viewed.illuminant = illuminant_of(fields, "illuminant");
     const std::string observer = fields.text("observer", "10", kMaxNameBytes);
     viewed.observer = fields.parsed("observer", [&] { return spectra::parse_observer(observer); });
+    viewed.model = reading_model_of(fields);
     return viewed;
 }
 
@@ -254,6 +260,7 @@ Request request_of(const std::string& type, Fields& fields) {
         if (fields.find("csv")) request.text = fields.text("csv", "", kMaxMessageBytes);
         request.name = fields.text("name", "standard", kMaxNameBytes);
         request.sample = fields.text("sample", "", kMaxNameBytes);
+        request.model = reading_model_of(fields);
         return request;
     }
     if (type == "sparkle") {
@@ -274,6 +281,7 @@ Request request_of(const std::string& type, Fields& fields) {
             }
         }
         request.starts = fields.whole("starts", request.starts, {1, fit::FitOptions::kMaxStarts});
+        request.model = reading_model_of(fields);
         return request;
     }
     if (type == "stop") {

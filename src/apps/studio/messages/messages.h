@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "apps/studio/messages/reading_models.h"
 #include "apps/studio/messages/recipe_tree.h"
 #include "apps/studio/messages/stage.h"
 #include "nacre/measure/geometry.h"
@@ -21,11 +22,12 @@ namespace nacre::studio {
 /// The largest frame and the largest body of a request that is taken, in bytes.
 inline constexpr std::size_t kMaxMessageBytes = 8u << 20;
 
-/// Light and eye by which colours are stated, and the angles.
+/// Light and eye by which colours are stated, the angles, and the model that reads paints.
 struct Viewed {
     std::vector<measure::Geometry> geometries;
     spectra::Illuminant illuminant = spectra::Illuminant::D65;
     spectra::Observer observer = spectra::Observer::cie1964_10deg;
+    std::string model = kReadingModels[0].name;
 };
 
 /// A text of a recipe.
@@ -46,6 +48,7 @@ struct FilmsRequest {
 struct StandardRequest {
     std::optional<std::string> text;  ///< none: no standard any more
     std::string name, sample;
+    std::string model = kReadingModels[0].name;  ///< of a recipe
 };
 struct SparkleRequest {
     Tree recipe;
@@ -55,6 +58,7 @@ struct FitRequest {
     Tree recipe;
     std::vector<std::string> free;  ///< empty: those of the recipe's table [fit]
     int starts = 8;
+    std::string model = kReadingModels[0].name;  ///< by which paints are seen
 };
 /// Ends a fit, a picture or another long answer.
 struct StopRequest {
@@ -64,7 +68,7 @@ struct RenderRequest {
     Tree recipe;
     Stage stage;
     int width = 512, height = 512, samples = 64;
-    std::string model;  ///< empty: models::default_picture_model()
+    std::string model;  ///< any; empty: models::default_picture_model()
     bool linear = false;
 };
 struct ReportRequest {

@@ -134,18 +134,20 @@ std::vector<NacreSpecies> nacre_species(const Microflake::Tables& tables, std::u
 }
 
 Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings,
-                      SharedProgress& work)
+                      Wanted wanted, SharedProgress& work)
     : hot_spot(settings.hot_spot ? std::optional(HotSpotTables(*paint)) : std::nullopt),
       smooth(hot_spot ? std::make_shared<Microflake::Tables>(with_rough_hot_spot(paint, *hot_spot),
                                                              hot_spot->extinction())
                       : std::make_shared<Microflake::Tables>(paint)) {
-    species = nacre_species(*smooth, settings.specimen,
-                            species_films(*paint, {paint->wavelengths_nm()}, &work));
     std::size_t before = 0;
     for (const solver::LayerMedium& layer : paint->medium.layers) {
         first_species.push_back(before);
         before += layer.flakes.size();
     }
+    species = nacre_species(*smooth, settings.specimen,
+                            wanted == Wanted::mean
+                                ? SpeciesFilms(before)
+                                : species_films(*paint, {paint->wavelengths_nm()}, &work));
     if (paint->recipe.flake_lean()) smooth->leaning.emplace(*paint, work);
     if (paint->recipe.coat_spread() > 0) {
         const CoatSpread& spread = smooth->coat_spread.emplace(*paint, settings.hot_spot, work);
@@ -157,16 +159,29 @@ Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const Na
 
 Nacre::Nacre(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings,
              const Progress& progress)
+    : Nacre(std::move(paint), settings, progress, Wanted::all) {}
+
+Nacre::Nacre(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings,
+             const Progress& progress, Wanted wanted)
     : waves_(bsdf::coat_waves(*paint, settings.specimen)),
       thickness_(bsdf::coat_thickness(*paint, settings.specimen)),
       lean_(bsdf::flake_lean(*paint)) {
     SharedProgress work(progress, 1);
     work.add(0);
-    auto tables = std::make_shared<Tables>(std::move(paint), settings, work);
-    tabulate_sampling(*tables->smooth, [&](const Wavelengths& wavelengths_nm) {
-        return std::make_unique<const BoundNacre>(tables, wavelengths_nm);
-    });
+    auto tables = std::make_shared<Tables>(std::move(paint), settings, wanted, work);
+    if (wanted == Wanted::all) {
+        tabulate_sampling(*tables->smooth, [&](const Wavelengths& wavelengths_nm) {
+            return std::make_unique<const BoundNacre>(tables, wavelengths_nm);
+        });
+    }
     tables_ = std::move(tables);
+}
+
+std::shared_ptr<const Nacre> Nacre::mean_alone(std::shared_ptr<const solver::SolvedPaint> paint,
+                                               const NacreModel& settings,
+                                               const Progress& progress) {
+    return std::shared_ptr<const Nacre>(
+        new Nacre(std::move(paint), settings, progress, Wanted::mean));
 }
 
 Nacre::~Nacre() = default;

@@ -49,6 +49,12 @@ class Nacre final : public Bsdf, public SingleFlakes {
     /// @throws Stopped if `progress`, which is asked while films are computed, says so
     explicit Nacre(std::shared_ptr<const solver::SolvedPaint> paint,
                    const NacreModel& settings = {}, const Progress& progress = {});
+    /// A surface for its mean alone, bit for bit that of the whole, in a fraction of the time: it has
+    /// neither the films of single flakes nor tables to sample by. Only eval() may be asked of it.
+    /// @throws as the constructor
+    static std::shared_ptr<const Nacre> mean_alone(std::shared_ptr<const solver::SolvedPaint> paint,
+                                                   const NacreModel& settings = {},
+                                                   const Progress& progress = {});
     ~Nacre() override;
 
     std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const override;
@@ -66,6 +72,10 @@ class Nacre final : public Bsdf, public SingleFlakes {
     const Tables& tables() const { return *tables_; }
 
  private:
+    enum class Wanted { all, mean };
+    Nacre(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings,
+          const Progress& progress, Wanted wanted);
+
     std::shared_ptr<const Tables> tables_;
     std::optional<sparkle::CoatWaves> waves_;
     std::optional<sparkle::CoatThickness> thickness_;
@@ -109,7 +119,7 @@ std::vector<float> flake_fractions(const Microflake::Tables& tables);
 
 struct Nacre::Tables {
     Tables(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings,
-           SharedProgress& work);
+           Wanted wanted, SharedProgress& work);
 
     std::optional<HotSpotTables> hot_spot;
     std::shared_ptr<Microflake::Tables> smooth;  ///< under a rough clearcoat with the hot spot

@@ -7,6 +7,7 @@ import { chip } from "../../../common/colour";
 import { angleName, number } from "../../../common/dom";
 import { byLamp } from "../../../common/geometry";
 import type { Readings } from "../protocol";
+import { isCurrent } from "../state";
 import { useStudioState } from "../ui/context";
 
 interface Group {
@@ -58,7 +59,7 @@ export function AngleText({ text }: { readonly text: string }): VNode {
 export function Chips(): VNode {
     const readings = useStudioState((state) => state.readings);
     const sound = useStudioState((state) => state.fault === null);
-    const current = useStudioState((state) => state.readingsOf === state.document);
+    const current = useStudioState(isCurrent);
     if (readings === null) return <div class="stage chips" aria-busy="true" />;
     const parts = groups(readings.geometries);
     return (

@@ -5,7 +5,7 @@ import { chip } from "../../../common/colour";
 import { number } from "../../../common/dom";
 import type { Match, Readings } from "../protocol";
 import type { Parameter } from "../schema";
-import { labelOf, parameters, placeText, plain } from "../schema";
+import { labelOf, modelTitle, parameters, placeText, plain } from "../schema";
 import type { Table } from "../tree";
 import { parsePath, pathText } from "../tree";
 import { useStudio, useStudioState } from "../ui/context";
@@ -35,6 +35,7 @@ export function Fit(): VNode {
     const document = useStudioState((state) => state.document);
     const standard = useStudioState((state) => state.standard);
     const fit = useStudioState((state) => state.fit);
+    const model = useStudioState((state) => state.settings.model);
     const studio = useStudio();
     const setup = useStudioState((state) => state.fitSetup);
     const { said, starts } = setup;
@@ -102,6 +103,9 @@ export function Fit(): VNode {
                 <p class="fault-line" role="alert">
                     {fit.fault}
                 </p>
+            )}
+            {fit.matches !== null && fit.model !== model && (
+                <p class="found-by">Found and read by {modelTitle(schema, fit.model)}.</p>
             )}
             {fit.matches !== null && <Matches matches={fit.matches} colours={fit.colours} />}
             <fieldset disabled={fit.running}>

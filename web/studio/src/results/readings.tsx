@@ -4,6 +4,7 @@ import type { VNode } from "preact";
 import { useRef, useState } from "preact/hooks";
 import { number } from "../../../common/dom";
 import type { Comparison } from "../protocol";
+import { modelTitle } from "../schema";
 import { useStudio, useStudioState } from "../ui/context";
 import { focusSoon } from "../ui/focus";
 import { NumberField } from "../ui/number_field";
@@ -91,6 +92,21 @@ function Conditions(): VNode {
                 },
                 (name) => (/^\d+$/.test(name) ? `${name}°` : name),
             )}
+            <label
+                class="reading-model"
+                title="By which chips, plots, atlas and fit are computed. The picture is always by nacre: large flakes make it brighter towards the lamp than micro-flakes are."
+            >
+                Readings by{" "}
+                {select(
+                    "Readings by",
+                    settings.model,
+                    (schema?.reading_models ?? []).map(({ name }) => name),
+                    (model) => {
+                        studio.setSettings({ model });
+                    },
+                    (name) => (schema === null ? name : modelTitle(schema, name)),
+                )}
+            </label>
         </div>
     );
 }
