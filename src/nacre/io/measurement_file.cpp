@@ -171,8 +171,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kMeasurementFormat = "nacre-measurement";
-
 /// A JSON object and its place in the file, for messages.
 class Member {
  public:

@@ -58,6 +58,8 @@ struct MeasurementFile {
 };
 
 inline constexpr std::size_t kMaxReadings = 100'000;
+/// The "format" of the JSON.
+inline constexpr std::string_view kMeasurementFormat = "nacre-measurement";
 inline constexpr int kMeasurementFormatVersion = 1;
 
 /// A column beside those of a measurement, with a cell for each reading.
