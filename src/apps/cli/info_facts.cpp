@@ -239,8 +239,9 @@ void describe_threejs_module(Facts& facts, std::string_view bytes) {
 
 }  // namespace
 
-void describe_measured_colours(Facts& facts, std::string_view bytes, const std::string& file,
-                               const std::string& sample) {
+std::vector<std::string> describe_measured_colours(Facts& facts, std::string_view bytes,
+                                                   const std::string& file,
+                                                   const std::string& sample) {
     const io::MeasurementFile colours = io::parse_measurement_file(bytes, file);
     const std::vector<measure::Measurement> one =
         sample.empty() ? std::vector<measure::Measurement>()
@@ -258,6 +259,7 @@ void describe_measured_colours(Facts& facts, std::string_view bytes, const std::
                         samples[i]);
     }
     for (const std::string& note : colours.notes) facts.add("note", "{}", note);
+    return colours.contradictions;
 }
 
 void describe_scene(Facts& facts, std::string_view bytes, const std::string& file,

@@ -60,9 +60,10 @@ void add_input_options(CLI::App& command, CommonOptions& options) {
                   "folder")
         ->group(kRunningGroup);
     command
-        .add_flag("--strict", options.strict,
-                  "Refuse what would be warned of: implausible numbers of a recipe, multiple "
-                  "scattering that is not resolved")
+        .add_flag(
+            "--strict", options.strict,
+            "Refuse what would be warned of: implausible numbers of a recipe, measured colours "
+            "that contradict themselves, multiple scattering that is not resolved")
         ->group(kRunningGroup);
 }
 
