@@ -31,6 +31,10 @@ void add_output(CLI::App& command, CommonOptions& options) {
 
 void add_table_output(CLI::App& command, CommonOptions& options) {
     add_output(command, options);
+    add_table_format(command, options);
+}
+
+void add_table_format(CLI::App& command, CommonOptions& options) {
     command
         .add_option_function<std::string>(
             "--decimal",

@@ -264,6 +264,9 @@ TEST_F(Program, DiffEndsWithFourWhenABoundIsBroken) {
     const std::string render = "render sphere --paint gray.toml --spp 1 --size 16x16 --quiet ";
     ASSERT_EQ(nacre(render + "--seed 1 -o a.exr").status, 0);
     ASSERT_EQ(nacre(render + "--seed 2 -o b.exr").status, 0);
+    const std::string commas = nacre("diff a.exr b.exr --decimal comma --bom").out;
+    EXPECT_THAT(commas, StartsWith("\xEF\xBB\xBFquantity;value\nmse;0,"));
+    EXPECT_THAT(commas, Not(HasSubstr(".")));
     const Outcome within = nacre("diff a.exr b.exr -o d.png");
     EXPECT_EQ(within.status, 0);
     EXPECT_TRUE(exists("d.png"));
