@@ -73,7 +73,12 @@ TEST_F(Program, ASampleOfAFileIsChosenBehindItsName) {
     const Outcome versus = nacre("measure gray.toml --versus 'panels.csv#Silber 2'");
     EXPECT_EQ(versus.status, 0) << versus.err;
     EXPECT_EQ(number(versus.out, 1, 3), 120);
+    write("marks.csv", "Probe;L 15;a 15;b 15\nRot #1;50;60;30\n\"#2\";40;60;30\n");
+    EXPECT_THAT(nacre("measure 'marks.csv#Rot #1'").out, HasSubstr("45as15,45,15,50,60,30,"));
+    EXPECT_THAT(nacre("measure 'marks.csv##2'").out, HasSubstr("45as15,45,15,40,60,30,"));
     // The file is an input, which no output replaces.
+    EXPECT_THAT(nacre("measure 'marks.csv#Rot #1' -o marks.csv").err,
+                HasSubstr("would replace an input"));
     EXPECT_THAT(nacre("measure 'panels.csv#Rot' -o panels.csv").err,
                 HasSubstr("would replace an input"));
 }

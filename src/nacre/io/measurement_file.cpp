@@ -441,13 +441,19 @@ measure::Measurement parse_measurement(std::string_view text, const std::string&
 
 SampleName split_sample_name(const std::filesystem::path& name) {
     const std::string text = name.string();
-    const std::size_t mark = text.rfind('#');
-    std::error_code none;
-    if (mark == std::string::npos || mark == 0 || mark + 1 == text.size() ||
-        std::filesystem::exists(std::filesystem::status(name, none))) {
-        return {name, ""};
+    const auto exists = [](const std::string& path) {
+        std::error_code none;
+        return std::filesystem::exists(std::filesystem::status(path, none));
+    };
+    if (exists(text)) return {name, ""};
+    std::size_t first = std::string::npos;  // of the marks with text on both sides
+    for (std::size_t mark = text.size(); mark-- > 1;) {
+        if (text[mark] != '#' || mark + 1 == text.size()) continue;
+        first = mark;
+        if (exists(text.substr(0, mark))) break;
     }
-    return {text.substr(0, mark), text.substr(mark + 1)};
+    if (first == std::string::npos) return {name, ""};
+    return {text.substr(0, first), text.substr(first + 1)};
 }
 
 measure::Measurement read_measurement(const std::filesystem::path& path,

@@ -130,7 +130,9 @@ struct SampleName {
     std::filesystem::path file;
     std::string sample;  ///< empty: none is named
 };
-/// Takes the name apart, unless there is a file of the whole name.
+/// Takes the name apart. The file is the longest beginning that there is, the whole name or up to a
+/// '#', and the sample all that follows that mark, which may hold others; where there is no such file,
+/// the first mark divides. A mark at the beginning or the end is none.
 SampleName split_sample_name(const std::filesystem::path& name);
 
 /// @throws InputError as parse_measurement(), or if the file cannot be read
