@@ -38,7 +38,7 @@ std::vector<std::string> describe_measured_colours(Facts& facts, std::string_vie
                                                    const std::string& file,
                                                    const std::string& sample);
 
-/// @throws InputError as render::parse_scene(), and naming the shape whose mesh cannot be read
+/// @throws InputError as render::parse_scene(), and as render::make_mesh(), naming the shape
 void describe_scene(Facts& facts, std::string_view bytes, const std::string& file,
                     const References& references);
 

@@ -184,7 +184,8 @@ TEST_F(Info, SaysWhatAFileIsThatItDoesNotRead) {
     EXPECT_THAT(refused("wide.toml", std::string("\xFF\xFEn\0", 4)), HasSubstr("UTF-16"));
     EXPECT_THAT(refused("empty.csv", ""), HasSubstr("is empty"));
     write("scene.toml", scene_of("absent.obj"));
-    EXPECT_THAT(nacre("info scene.toml").err, HasSubstr("scene.toml: shapes[0]: "));
+    EXPECT_THAT(nacre("info scene.toml").err,
+                HasSubstr("scene.toml:6:8: shapes[0].path: cannot read"));
 }
 
 TEST_F(Info, OtherCommandsSayWhatTheyWereGivenInstead) {
