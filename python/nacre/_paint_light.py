@@ -260,7 +260,10 @@ class PaintLight(OpenedPaint):
 
     @property
     def implausible(self) -> list[str]:
-        """The numbers that can be computed with and are hardly meant: key, value and why."""
+        """The numbers that can be computed with and are hardly meant: key, value and why.
+
+        Of measured colours: where columns contradict each other.
+        """
         return list(self._paint.implausible_numbers())
 
     @property

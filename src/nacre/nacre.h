@@ -359,8 +359,9 @@ class Paint {
     std::size_t memory_to_solve(const SolveSettings& settings = {}) const;
     /// Of all solutions so far.
     std::vector<SolverWarning> warnings() const;
-    /// The numbers that can be computed with and are hardly meant, by paint::implausible_numbers(),
-    /// the file before each; none without a recipe.
+    /// The numbers that can be computed with and are hardly meant, the file before each: of a recipe
+    /// by paint::implausible_numbers(), of measured colours where columns contradict each other
+    /// (io::MeasurementFile::contradictions). None of other kinds.
     std::vector<std::string> implausible_numbers() const;
 
     /// The paint as a model shows it, for a renderer; measured and tabulated BRDFs as they are.

@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "apps/cli/files.h"
 #include "apps/cli/instrument_options.h"
 #include "apps/cli/options.h"
 #include "apps/cli/paint_options.h"
@@ -40,7 +41,11 @@ Format parse_format(const std::string& output) {
     if (extension == ".csv") return Format::csv;
     if (extension == ".svg") return Format::svg;
     if (extension == ".png") return Format::png;
-    throw UsageError(fmt::format("--output = {}: must end in .svg, .png or .csv", output));
+    if (is_standard_output(output)) return Format::csv;
+    throw UsageError(fmt::format(
+        "--output = {}: must end in .svg, .png or .csv, or be - for CSV on the standard "
+        "output",
+        output));
 }
 
 /// "mica:500" or "mica:500:60".
@@ -229,7 +234,7 @@ Command add_atlas(CLI::App& program) {
     add_set(*command, *options);
     add_run_options(*command, *options);
     command->footer(
-        "Writes a picture of chips (FILE.svg, FILE.png) or CSV: the value, theta_i, "
+        "Writes a picture of chips (FILE.svg, FILE.png) or CSV (FILE.csv, -): the value, theta_i, "
         "aspecular_deg,\n"
         "L, a, b, C, h, chip. A chip of --film is the reflectance of one flake where it mirrors "
         "the\n"

@@ -26,6 +26,11 @@ TEST_F(Atlas, WritesATableAndPicturesOfAFilm) {
     EXPECT_THAT(contents(folder_ / "a.svg"), ::testing::StartsWith("<svg"));
     EXPECT_EQ(nacre(film + "-o a.png").status, 0);
     EXPECT_THAT(contents(folder_ / "a.png"), ::testing::StartsWith("\x89PNG"));
+    for (const char* output : {"-o -", "-o /dev/stdout"}) {
+        const Outcome printed = nacre(film + output);
+        EXPECT_EQ(printed.status, 0) << printed.err;
+        EXPECT_EQ(printed.out, csv.out) << output;
+    }
     EXPECT_EQ(nacre(film + "-o a.csv").status, 0);
     EXPECT_EQ(contents(folder_ / "a.csv"), csv.out);
 }

@@ -86,12 +86,12 @@ ExitStatus run(const DiffOptions& options) {
     const io::ImageDifference d = io::image_difference(a, b, options.a, options.b);
     const auto z = io::image_z_scores(a, b, options.a, options.b);
     write_difference(options, d);
-    print_data(fmt::format("quantity,value\nmse,{:.9g}\npsnr_db,{:.6g}\nrelative_error,{:.9g}\n"
-                           "delta_e_2000_mean,{:.6g}\ndelta_e_2000_95th_percentile,{:.6g}\n"
-                           "delta_e_2000_max,{:.6g}\n",
-                           d.mean_square_error, d.psnr_db, d.relative_error, d.delta_e_mean,
-                           d.delta_e_95th, d.delta_e_max) +
-               (z ? z_score_lines(*z) : std::string()));
+    const std::string csv = fmt::format(
+        "quantity,value\nmse,{:.9g}\npsnr_db,{:.6g}\nrelative_error,{:.9g}\n"
+        "delta_e_2000_mean,{:.6g}\ndelta_e_2000_95th_percentile,{:.6g}\ndelta_e_2000_max,{:.6g}\n",
+        d.mean_square_error, d.psnr_db, d.relative_error, d.delta_e_mean, d.delta_e_95th,
+        d.delta_e_max);
+    print_data(table_text(options, csv + (z ? z_score_lines(*z) : "")));
     const bool ok = is_within_bounds(options, d);
     nlohmann::json report = {{"a", options.a},
                              {"b", options.b},
@@ -127,6 +127,7 @@ Command add_diff(CLI::App& program) {
                      "Fail above this mean Delta E 2000");
     diff->add_option("--max-delta-e-95", options->max_delta_e_95th,
                      "Fail above this 95th percentile of Delta E 2000");
+    add_table_format(*diff, *options);
     add_report(*diff, *options);
     diff->footer(
         "Writes CSV: quantity,value. Over R, G, B in linear light: mse; psnr_db =\n"

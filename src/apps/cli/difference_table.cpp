@@ -8,6 +8,7 @@
 #include "apps/cli/options.h"
 #include "apps/cli/text_table.h"
 #include "nacre/core/csv.h"
+#include "nacre/io/file_kind.h"
 #include "nacre/spectra/observer.h"
 
 namespace nacre::cli {
@@ -101,7 +102,7 @@ nlohmann::json difference_json(const measure::Difference& difference,
         angles.back()["tolerance"] = *verdict->angles[i].limit;
         angles.back()["passes"] = verdict->angles[i].passes();
     }
-    nlohmann::json document = {{"format", "nacre-difference"},
+    nlohmann::json document = {{"format", io::kDifferenceFormat},
                                {"illuminant", spectra::name(difference.conditions.illuminant)},
                                {"observer", spectra::name(difference.conditions.observer)},
                                {"angles", std::move(angles)},

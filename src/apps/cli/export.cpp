@@ -9,6 +9,7 @@
 
 #include "apps/cli/difference_table.h"
 #include "apps/cli/export_chips.h"
+#include "apps/cli/files.h"
 #include "apps/cli/options.h"
 #include "apps/cli/paint_options.h"
 #include "apps/report/svg_raster.h"
@@ -58,8 +59,11 @@ ExportFormat format_of(const std::string& output) {
     if (output.ends_with(".three.js")) return ExportFormat::threejs;
     throw UsageError(
         fmt::format("--output = {}: must end in .bsdf (RGL), .binary (MERL), .gltf (glTF 2.0), "
-                    ".mtlx (MaterialX), .blender.py (Cycles) or .three.js (three.js)",
-                    output));
+                    ".mtlx (MaterialX), .blender.py (Cycles) or .three.js (three.js){}",
+                    output,
+                    is_standard_output(output)
+                        ? ", which says what to write; it does not go to the standard output"
+                        : ""));
 }
 
 /// The material that is fitted, or none for a table or a shader.

@@ -319,7 +319,10 @@ std::string describe(const InfoOptions& options) {
             describe_merl(facts, bytes, file);
             break;
         case io::FileKind::measured_colours:
-            describe_measured_colours(facts, bytes, file, name.sample);
+            for (const std::string& line :
+                 describe_measured_colours(facts, bytes, file, name.sample)) {
+                warn(options, line);
+            }
             break;
         case io::FileKind::scene:
             describe_scene(facts, bytes, file, references_of(options, file));

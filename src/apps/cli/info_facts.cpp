@@ -156,7 +156,7 @@ void describe_mesh(Facts& facts, std::string_view bytes, const std::string& file
 }
 
 void describe_result_table(Facts& facts, std::string_view bytes, const std::string& file) {
-    facts.add("holds", "{}", io::result_table_of(bytes));
+    facts.add("holds", "{}", io::result_of(bytes));
     const std::vector<CsvRow> rows = parse_csv(bytes, file);
     std::vector<std::string> columns;
     for (const CsvCell& cell : rows[0]) columns.push_back(cell.text);
@@ -164,26 +164,84 @@ void describe_result_table(Facts& facts, std::string_view bytes, const std::stri
     facts.add("rows", "{}", rows.size() - 1);
 }
 
-void describe_report(Facts& facts, std::string_view bytes, const std::string& file) {
-    nlohmann::json report;
+/// What stands in the outermost object of a text in JSON, and how long the lists are there.
+void describe_document(Facts& facts, std::string_view bytes, const std::string& file) {
+    constexpr std::size_t kMaxDepth = 100;
+    if (json_nesting(bytes) > kMaxDepth) {
+        throw InputError(
+            fmt::format("{}: lists and objects are nested deeper than {}", file, kMaxDepth));
+    }
+    nlohmann::json document;
     try {
-        report = nlohmann::json::parse(without_byte_order_mark(bytes));
+        document = nlohmann::json::parse(without_byte_order_mark(bytes));
     } catch (const nlohmann::json::exception& error) {
         throw InputError(fmt::format("{}: {}", file, error.what()));
     }
-    for (const auto& [key, value] : report.items()) {
+    for (const auto& [key, value] : document.items()) {
         if (value.is_string()) {
             facts.add(key, "{}", excerpt(value.get<std::string>(), 200));
         } else if (value.is_number() || value.is_boolean()) {
             facts.add(key, "{}", value.dump());
+        } else if (value.is_array() && value.size() > 0 && value[0].is_object()) {
+            facts.add(key, "{}", value.size());
         }
     }
 }
 
+/// What stands between two texts; empty where one of them is missing.
+std::string_view between(std::string_view text, std::string_view before, std::string_view after) {
+    const std::size_t start = text.find(before);
+    if (start == std::string_view::npos) return {};
+    text.remove_prefix(start + before.size());
+    const std::size_t end = text.find(after);
+    return end == std::string_view::npos ? std::string_view() : text.substr(0, end);
+}
+
+/// JSON within another text; null where it is none, since somebody has changed the file.
+nlohmann::json json_within(std::string_view text) {
+    constexpr bool kThrow = false;
+    return nlohmann::json::parse(text, nullptr, kThrow);
+}
+
+void add_text(Facts& facts, const std::string& name, const nlohmann::json& text) {
+    if (text.is_string()) facts.add(name, "{}", excerpt(text.get<std::string>(), 200));
+}
+
+void describe_cycles_script(Facts& facts, std::string_view bytes) {
+    add_text(facts, "name", json_within(between(bytes, "\n    \"name\": ", ",\n")));
+    if (const auto maker = between(bytes, "of it, by ", ".\n"); !maker.empty()) {
+        facts.add("generator", "{}", excerpt(maker));
+    }
+    const auto colours = between(bytes, "mean and greatest: ", " at ");
+    if (!colours.empty()) {
+        facts.add("colour differences from the paint", "CIEDE2000, mean and greatest {}",
+                  excerpt(colours));
+    }
+}
+
+void describe_threejs_module(Facts& facts, std::string_view bytes) {
+    const std::string_view members = between(bytes, "\nexport const about = {", "\n};");
+    const nlohmann::json about = json_within("{" + std::string(members) + "}");
+    if (!about.is_object()) return;
+    for (const auto& [key, name] : {std::pair{"name", "name"},
+                                    {"generator", "generator"},
+                                    {"recipe_sha256", "recipe SHA-256"}}) {
+        if (about.contains(key)) add_text(facts, name, about[key]);
+    }
+    if (!about.contains("colour_differences")) return;
+    const nlohmann::json& colours = about["colour_differences"];
+    if (!colours.is_object()) return;
+    const auto mean = colours.find("mean"), greatest = colours.find("greatest");
+    if (mean == colours.end() || greatest == colours.end()) return;
+    facts.add("colour differences from the paint", "CIEDE2000, mean and greatest {}, {}",
+              mean->dump(), greatest->dump());
+}
+
 }  // namespace
 
-void describe_measured_colours(Facts& facts, std::string_view bytes, const std::string& file,
-                               const std::string& sample) {
+std::vector<std::string> describe_measured_colours(Facts& facts, std::string_view bytes,
+                                                   const std::string& file,
+                                                   const std::string& sample) {
     const io::MeasurementFile colours = io::parse_measurement_file(bytes, file);
     const std::vector<measure::Measurement> one =
         sample.empty() ? std::vector<measure::Measurement>()
@@ -201,6 +259,7 @@ void describe_measured_colours(Facts& facts, std::string_view bytes, const std::
                         samples[i]);
     }
     for (const std::string& note : colours.notes) facts.add("note", "{}", note);
+    return colours.contradictions;
 }
 
 void describe_scene(Facts& facts, std::string_view bytes, const std::string& file,
@@ -221,13 +280,9 @@ void describe_scene(Facts& facts, std::string_view bytes, const std::string& fil
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
         const auto* mesh = std::get_if<render::MeshFile>(&scene.shapes[i].geometry);
         if (!mesh) continue;
-        try {
-            const render::Mesh read = render::make_mesh(*mesh);
-            facts.add(fmt::format("shapes[{}]", i), "mesh {}, {} triangles, {} vertices",
-                      mesh->path.string(), read.triangles.size(), read.positions_mm.size());
-        } catch (const InputError& error) {
-            throw InputError(fmt::format("{}: shapes[{}]: {}", file, i, error.what()));
-        }
+        const render::Mesh read = render::make_mesh(*mesh);
+        facts.add(fmt::format("shapes[{}]", i), "mesh {}, {} triangles, {} vertices",
+                  mesh->path.string(), read.triangles.size(), read.positions_mm.size());
     }
 }
 
@@ -258,8 +313,15 @@ void describe_other(Facts& facts, io::FileKind kind, std::string_view bytes,
             return describe_mesh(facts, bytes, file);
         case FileKind::result_table:
             return describe_result_table(facts, bytes, file);
+        case FileKind::result_document:
+            facts.add("holds", "{}", io::result_of(bytes));
+            return describe_document(facts, bytes, file);
         case FileKind::report:
-            return describe_report(facts, bytes, file);
+            return describe_document(facts, bytes, file);
+        case FileKind::cycles_script:
+            return describe_cycles_script(facts, bytes);
+        case FileKind::threejs_module:
+            return describe_threejs_module(facts, bytes);
         default:
             return;  // pages, drawings and materials for others: what they are says enough
     }

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "nacre/core/references.h"
 #include "nacre/core/text.h"
@@ -31,11 +32,13 @@ class Facts {
 
 /// @param file    as the user named it
 /// @param sample  the one that is meant; empty: all
+/// @return what is to be warned of: columns that contradict each other
 /// @throws InputError as io::parse_measurement_file() and io::sample_called()
-void describe_measured_colours(Facts& facts, std::string_view bytes, const std::string& file,
-                               const std::string& sample);
+std::vector<std::string> describe_measured_colours(Facts& facts, std::string_view bytes,
+                                                   const std::string& file,
+                                                   const std::string& sample);
 
-/// @throws InputError as render::parse_scene(), and naming the shape whose mesh cannot be read
+/// @throws InputError as render::parse_scene(), and as render::make_mesh(), naming the shape
 void describe_scene(Facts& facts, std::string_view bytes, const std::string& file,
                     const References& references);
 

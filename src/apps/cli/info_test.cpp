@@ -43,8 +43,15 @@ TEST_F(Info, OpensWhatNacreWrites) {
          {"measure gray.toml -o read.csv", "measure gray.toml --format json -o read.json",
           "measure gray.toml --decimal comma --bom -o excel.csv",
           "measure gray.toml --versus read.csv -o difference.csv --report run.json --plots curves",
-          "film -o film.csv", "materials -o materials.csv", "pigments -o pigments.csv",
-          "eval gray.toml --incident 45 --outgoing 45,180 -o eval.csv",
+          "measure gray.toml --versus read.csv --tolerance 1 --format json -o difference.json",
+          "sparkle gray.toml --lamp 15 --field 2 --diffuse-samples 0 -o sparkle.csv",
+          "sparkle gray.toml --lamp 15 --field 2 --diffuse-samples 0 --versus gray.toml "
+          "-o sparkles.csv",
+          "sparkle gray.toml --lamp 15 --field 2 --diffuse-samples 0 --versus gray.toml "
+          "--format json -o sparkle.json",
+          "export gray.toml -o gray.blender.py --wavelength 400:700:30",
+          "export gray.toml -o gray.three.js", "film -o film.csv", "materials -o materials.csv",
+          "pigments -o pigments.csv", "eval gray.toml --incident 45 --outgoing 45,180 -o eval.csv",
           "solve gray.toml --wavelength 550 -o gray.h5",
           "export gray.toml --resolution 8 --incidences 8 -o gray.bsdf",
           "atlas --film TiO2_anatase --thickness 40:80:20 -o atlas.csv",
@@ -63,7 +70,27 @@ TEST_F(Info, OpensWhatNacreWrites) {
     }
     EXPECT_THAT(told("difference.csv"),
                 AllOf(HasSubstr("colour differences"), HasSubstr("rows: 6")));
+    EXPECT_THAT(told("difference.json"),
+                AllOf(HasSubstr("holds: colour differences"), HasSubstr("illuminant: D65\n"),
+                      HasSubstr("angles: 6\n"), HasSubstr("max_delta_e_2000: 0.0\n"),
+                      HasSubstr("passes: true\n")));
+    EXPECT_THAT(told("sparkle.csv"), HasSubstr("holds: sparkle and graininess"));
+    EXPECT_THAT(told("sparkles.csv"), HasSubstr("holds: differences of sparkle"));
+    EXPECT_THAT(told("sparkle.json"),
+                AllOf(HasSubstr("holds: sparkle and graininess"), HasSubstr("recipe: gray.toml\n"),
+                      HasSubstr("readings: 1\n"), HasSubstr("comparison: 4\n")));
     EXPECT_THAT(told("run.json"), HasSubstr("command: measure\n"));
+    EXPECT_THAT(told("gray.blender.py"),
+                AllOf(HasSubstr("Blender's Cycles"), HasSubstr("name: gray\n"),
+                      HasSubstr("generator: Nacre "),
+                      HasSubstr("differences from the paint: CIEDE2000, mean and greatest ")));
+    EXPECT_THAT(told("gray.three.js"),
+                AllOf(HasSubstr("three.js"), HasSubstr("name: gray\n"),
+                      HasSubstr("generator: Nacre "), HasSubstr("recipe SHA-256: "),
+                      HasSubstr("differences from the paint: CIEDE2000, mean and greatest ")));
+    const Outcome diff = nacre("diff picture.exr picture.exr");
+    write("diff.csv", diff.out);
+    EXPECT_THAT(told("diff.csv"), HasSubstr("holds: the difference of two pictures"));
     EXPECT_THAT(told("curves/spectra.svg"), HasSubstr("kind: a drawing (SVG)"));
     EXPECT_THAT(told("film.csv"),
                 HasSubstr("columns: wavelength_nm, angle_deg, polarization, R, T"));
@@ -157,7 +184,8 @@ TEST_F(Info, SaysWhatAFileIsThatItDoesNotRead) {
     EXPECT_THAT(refused("wide.toml", std::string("\xFF\xFEn\0", 4)), HasSubstr("UTF-16"));
     EXPECT_THAT(refused("empty.csv", ""), HasSubstr("is empty"));
     write("scene.toml", scene_of("absent.obj"));
-    EXPECT_THAT(nacre("info scene.toml").err, HasSubstr("scene.toml: shapes[0]: "));
+    EXPECT_THAT(nacre("info scene.toml").err,
+                HasSubstr("scene.toml:6:8: shapes[0].path: cannot read"));
 }
 
 TEST_F(Info, OtherCommandsSayWhatTheyWereGivenInstead) {

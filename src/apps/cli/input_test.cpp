@@ -75,6 +75,41 @@ std::string with_file(std::string command, const std::string& file) {
 }
 
 // Opening a pipe waits for a writer, and reading a device has no end.
+TEST_F(Program, FilesThatASceneNamesAreRefusedWithItsLine) {
+    write("bad.toml", "ior = 1.5\n[[layer]]\nthickness_um = -15\n");
+    write("sharp.toml",
+          "ior = 1.5\n[[layer]]\nthickness_um = 15\n[[layer.pigment]]\nscattering_per_mm = 9\n"
+          "anisotropy = 0.98\n");
+    write("bad.obj", "v 0 0\nf 1 2 3\n");
+    write("grey.png", "no picture");
+    const auto complaint = [&](const std::string& material, const std::string& shape) {
+        write("scene.toml", "[materials.m]\n" + material + "[[shapes]]\nmaterial = \"m\"\n" +
+                                shape + "[environment]\ntype = \"constant\"\n");
+        const Outcome outcome = nacre("render scene.toml --spp 1 --size 2x2 -o x.exr");
+        EXPECT_EQ(outcome.status, 2) << outcome.err;
+        return outcome.err;
+    };
+    const std::string ball = "type = \"sphere\"\n", paint = "type = \"paint\"\n",
+                      grey = "type = \"diffuse\"\nreflectance = 0.5\n", mesh = "type = \"mesh\"\n";
+    EXPECT_EQ(complaint(paint + "recipe = \"bad.toml\"\n", ball),
+              "nacre: scene.toml:3:10: materials.m.recipe: bad.toml:3:16: layer[0].thickness_um = "
+              "-15: must be a number in (0, 1000000] um\n");
+    EXPECT_THAT(complaint(paint + "recipe = \"absent.toml\"\n", ball),
+                HasSubstr("scene.toml:3:10: materials.m.recipe: cannot read 'absent.toml'"));
+    EXPECT_THAT(complaint(paint + "recipe = \"sharp.toml\"\n", ball),
+                HasSubstr("scene.toml:3:10: materials.m.recipe: sharp.toml: layer[0].pigment[0]."));
+    EXPECT_EQ(complaint(grey, mesh + "path = \"bad.obj\"\n"),
+              "nacre: scene.toml:7:8: shapes[0].path: mesh 'bad.obj': line 1 is a vertex of fewer "
+              "than three coordinates\n");
+    EXPECT_THAT(complaint(grey, mesh + "path = \"absent.obj\"\n"),
+                HasSubstr("scene.toml:7:8: shapes[0].path: cannot read 'absent.obj'"));
+    EXPECT_THAT(complaint("type = \"diffuse-picture\"\npath = \"grey.png\"\n", ball),
+                HasSubstr("scene.toml:3:8: materials.m.path = 'grey.png': grey.png: is not"));
+    // What the command line names is not the scene's.
+    EXPECT_THAT(nacre("render sphere --paint bad.toml -o x.exr").err,
+                StartsWith("nacre: bad.toml:3:16: "));
+}
+
 TEST_F(Program, PipesAndDevicesByNameAreRefusedByEveryCommand) {
     ASSERT_EQ(::mkfifo((folder_ / "pipe.toml").c_str(), 0600), 0);
     for (const char* reader : kReaders) {

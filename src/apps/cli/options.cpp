@@ -31,6 +31,10 @@ void add_output(CLI::App& command, CommonOptions& options) {
 
 void add_table_output(CLI::App& command, CommonOptions& options) {
     add_output(command, options);
+    add_table_format(command, options);
+}
+
+void add_table_format(CLI::App& command, CommonOptions& options) {
     command
         .add_option_function<std::string>(
             "--decimal",
@@ -60,9 +64,10 @@ void add_input_options(CLI::App& command, CommonOptions& options) {
                   "folder")
         ->group(kRunningGroup);
     command
-        .add_flag("--strict", options.strict,
-                  "Refuse what would be warned of: implausible numbers of a recipe, multiple "
-                  "scattering that is not resolved")
+        .add_flag(
+            "--strict", options.strict,
+            "Refuse what would be warned of: implausible numbers of a recipe, measured colours "
+            "that contradict themselves, multiple scattering that is not resolved")
         ->group(kRunningGroup);
 }
 

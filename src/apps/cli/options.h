@@ -118,6 +118,8 @@ struct CommonOptions {
 void add_output(CLI::App& command, CommonOptions& options);  ///< -o, --output
 /// Of commands that write a table (CSV): -o, --output, --decimal and --bom.
 void add_table_output(CLI::App& command, CommonOptions& options);
+/// --decimal and --bom alone: of commands whose output is not the table.
+void add_table_format(CLI::App& command, CommonOptions& options);
 void add_quiet(CLI::App& command, CommonOptions& options);
 void add_report(CLI::App& command, CommonOptions& options);
 /// Of all that open recipes: --untrusted and --strict.

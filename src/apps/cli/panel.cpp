@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "apps/cli/files.h"
 #include "apps/cli/instrument_options.h"
 #include "apps/cli/options.h"
 #include "apps/cli/paint_options.h"
@@ -85,8 +86,9 @@ measure::SparkleMeasurement sparkle(const PanelOptions& options, const Look& loo
 
 /// Refuses wrong options before a minute of work.
 void check_choices(const PanelOptions& options) {
-    if (fs::path(options.output).extension() != ".html") {
-        throw UsageError(fmt::format("--output = {}: must end in .html", options.output));
+    if (fs::path(options.output).extension() != ".html" && !is_standard_output(options.output)) {
+        throw UsageError(fmt::format(
+            "--output = {}: must end in .html, or be - for the standard output", options.output));
     }
     render::builtin_scene(options.scene);  // throws if there is none
 }
@@ -185,7 +187,7 @@ ExitStatus run(const PanelOptions& options) {
     page.pictures = pictures(options, look, of_standard, quality);
     emit(options, datasheet::panel_report_html(page));
 
-    say(options, options.output);
+    if (!is_standard_output(options.output)) say(options, options.output);
     write_report(options, "panel",
                  {{"recipe", options.recipe},
                   {"recipe_sha256", page.recipe_sha256},
@@ -206,7 +208,7 @@ Command add_panel(CLI::App& program) {
         "panel", "One page about a paint: pictures, colour by angle, metrics, composition");
     command->add_option("RECIPE", options->recipe, "Recipe (TOML) or solved paint (HDF5)")
         ->required();
-    command->add_option("-o,--output", options->output, "Page to write")
+    command->add_option("-o,--output", options->output, "Page to write; -: to the standard output")
         ->type_name("FILE.html")
         ->required();
     command->add_option(

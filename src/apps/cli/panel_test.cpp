@@ -24,6 +24,19 @@ TEST_F(Panel, WritesOnePage) {
     EXPECT_THAT(contents(folder_ / "run.json"), HasSubstr("recipe_sha256"));
 }
 
+TEST_F(Panel, GoesToTheStandardOutput) {
+    const std::string panel = "panel gray.toml --model microflake --quality low -q -o ";
+    const Outcome printed = nacre(panel + "-");
+    EXPECT_EQ(printed.status, 0) << printed.err;
+    ASSERT_EQ(nacre(panel + "page.html").status, 0);
+    EXPECT_EQ(printed.out, contents(folder_ / "page.html"));
+    EXPECT_THAT(nacre(panel + "page.pdf").err, HasSubstr("must end in .html, or be - for"));
+    EXPECT_THAT(nacre("render sphere --paint gray.toml --spp 1 -o -").err,
+                HasSubstr("--output = -: must end in .exr; a picture is two files"));
+    EXPECT_THAT(nacre("export gray.toml -o -").err,
+                HasSubstr("does not go to the standard output"));
+}
+
 TEST_F(Panel, ComparesWithWhatWasMeasured) {
     EXPECT_EQ(nacre("measure gray.toml -o standard.csv").status, 0);
     const Outcome outcome =

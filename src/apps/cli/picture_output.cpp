@@ -6,6 +6,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "apps/cli/files.h"
+
 namespace nacre::cli {
 
 namespace {
@@ -60,7 +62,11 @@ void add_picture_output(CLI::App& command, CommonOptions& options) {
 
 void check_extension(const CommonOptions& options, const std::string& extension) {
     if (std::filesystem::path(options.output).extension() == extension) return;
-    throw UsageError(fmt::format("--output = {}: must end in {}", options.output, extension));
+    throw UsageError(
+        fmt::format("--output = {}: must end in {}{}", options.output, extension,
+                    is_standard_output(options.output)
+                        ? "; a picture is two files, which do not go to the standard output"
+                        : ""));
 }
 
 void warn_of_picture(const CommonOptions& options, const render::RenderResult& result,

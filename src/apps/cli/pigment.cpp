@@ -94,6 +94,7 @@ void say_outcome(const PigmentOptions& options, const fit::PigmentEstimate& esti
 }
 
 ExitStatus run(const PigmentOptions& options) {
+    if (options.table.empty()) refuse_table_options(options);
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const measure::Drawdown drawdown = io::read_drawdown(options.drawdown);
@@ -127,7 +128,8 @@ ExitStatus run(const PigmentOptions& options) {
         beside = plot_files(options.plots, datasheet::drawdown_plots(estimate));
     }
     if (!options.table.empty()) {
-        beside.push_back({options.table, table_csv(estimate, options.anisotropy)});
+        beside.push_back(
+            {options.table, table_text(options, table_csv(estimate, options.anisotropy))});
     }
     emit_together(options,
                   io::write_pigment_file({estimate.pigment(name, options.anisotropy), source}),
@@ -173,6 +175,7 @@ Command add_pigment(CLI::App& program) {
     pigment->add_option("--plots", options->plots,
                         "Folder for coefficients and reflectances as SVG and PNG");
     add_output(*pigment, *options);
+    add_table_format(*pigment, *options);
     add_quiet(*pigment, *options);
     add_threads(*pigment, *options);
     pigment->footer(

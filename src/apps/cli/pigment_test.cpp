@@ -64,6 +64,16 @@ TEST_F(Program, PigmentFindsWhatADrawdownWasMadeFrom) {
         EXPECT_NEAR(std::stod(rows[i + 1][5].text), 2 * absorption[i], 0.01 * absorption[i]);  // K
     }
     EXPECT_TRUE(exists("plots/coefficients.svg") && exists("plots/reflectance.png"));
+    ASSERT_EQ(
+        nacre("pigment drawdown.csv --geometry 45-0 -q --table comma.csv --decimal comma --bom")
+            .status,
+        0);
+    const std::string commas = contents(folder_ / "comma.csv");
+    EXPECT_THAT(commas, StartsWith("\xEF\xBB\xBFwavelength_nm;scattering_per_mm;"));
+    EXPECT_THAT(commas, HasSubstr("\n450;"));
+    const Outcome without = nacre("pigment drawdown.csv --geometry 45-0 --decimal comma");
+    EXPECT_EQ(without.status, 1);
+    EXPECT_THAT(without.err, HasSubstr("--decimal comma belongs to CSV"));
 
     // The pigment, named by a recipe, reads like the drawdown.
     write("again.toml",

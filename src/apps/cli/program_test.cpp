@@ -194,6 +194,22 @@ anisotropy = 0.95
     EXPECT_THAT(nacre(solve).err, Not(HasSubstr("warning")));  // what the advice leads to
 }
 
+TEST_F(Program, NamesThePigmentThatTheSolverDoesNotResolve) {
+    write("sharp.toml",
+          "ior = 1.5\n[[layer]]\nthickness_um = 50\n[[layer.pigment]]\nscattering_per_mm = 200\n"
+          "anisotropy = 0.98\n");
+    for (const char* command : {"solve sharp.toml -o x.h5", "measure sharp.toml"}) {
+        const Outcome refused = nacre(command);
+        EXPECT_EQ(refused.status, 2) << command;
+        EXPECT_THAT(refused.err, HasSubstr("sharp.toml: layer[0].pigment[0].anisotropy = 0.98: "
+                                           "must be in [-0.97, 0.97] to be solved"));
+    }
+    EXPECT_EQ(
+        nacre("reference sharp.toml --incident 45 --outgoing 45 --samples 100 --wavelength 550")
+            .status,
+        0);
+}
+
 TEST_F(Program, SingleAndMultipleScatteringMakeUpTheTotal) {
     const std::string arguments =
         "eval gray.toml --wavelength 550 --incident 45 --outgoing 30,180 --part ";
@@ -248,6 +264,9 @@ TEST_F(Program, DiffEndsWithFourWhenABoundIsBroken) {
     const std::string render = "render sphere --paint gray.toml --spp 1 --size 16x16 --quiet ";
     ASSERT_EQ(nacre(render + "--seed 1 -o a.exr").status, 0);
     ASSERT_EQ(nacre(render + "--seed 2 -o b.exr").status, 0);
+    const std::string commas = nacre("diff a.exr b.exr --decimal comma --bom").out;
+    EXPECT_THAT(commas, StartsWith("\xEF\xBB\xBFquantity;value\nmse;0,"));
+    EXPECT_THAT(commas, Not(HasSubstr(".")));
     const Outcome within = nacre("diff a.exr b.exr -o d.png");
     EXPECT_EQ(within.status, 0);
     EXPECT_TRUE(exists("d.png"));

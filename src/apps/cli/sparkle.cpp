@@ -16,6 +16,7 @@
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
+#include "nacre/io/file_kind.h"
 #include "nacre/io/panel_image.h"
 #include "nacre/measure/sparkle_measurement.h"
 #include "nacre/nacre.h"
@@ -125,7 +126,8 @@ json json_of(const SparkleOptions& options, const Paint& paint,
                             {"graininess", json_of(diffuse->graininess)},
                             {"pixel_contrast", json_of(diffuse->pixel_contrast)}});
     }
-    return {{"recipe", options.recipe},
+    return {{"format", io::kSparkleFormat},
+            {"recipe", options.recipe},
             {"recipe_sha256", paint.recipe_sha256()},
             {"model", options.model.model},
             {"seed", options.seed},

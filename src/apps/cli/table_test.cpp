@@ -43,6 +43,25 @@ TEST_F(Program, MeasuredTablesOfSpreadsheetsAreReadAsTheyAre) {
     EXPECT_THAT(nacre("measure tall.csv --versus own.csv").err, HasSubstr("greatest 0.00"));
 }
 
+TEST_F(Program, MeasuredColoursThatContradictThemselvesAreWarnedOf) {
+    write("two.csv",
+          "geometry,L,a,b,X,Y,Z\n45as15,50.0,0.0,0.0,17.46,18.42,19.77\n"
+          "45as45,40.0,0.0,0.0,17.46,18.42,19.77\n");
+    const char* words = "nacre: warning: two.csv:3:1: L, a, b and X, Y, Z contradict each other";
+    for (const char* command :
+         {"info two.csv", "measure two.csv", "measure gray.toml --versus two.csv",
+          "fit two.csv --start gray.toml --free alpha --starts 1 --within 100"}) {
+        const Outcome outcome = nacre(command);
+        EXPECT_EQ(outcome.status, 0) << command << outcome.err;
+        EXPECT_THAT(outcome.err, HasSubstr(words)) << command;
+        const Outcome strict = nacre(std::string(command) + " --strict");
+        EXPECT_EQ(strict.status, 2) << command;
+        EXPECT_THAT(strict.err, HasSubstr("refused by --strict")) << command;
+    }
+    // What counts goes on.
+    EXPECT_EQ(number(nacre("measure two.csv").out, 2, 3), 40);
+}
+
 TEST_F(Program, ASampleOfAFileIsChosenBehindItsName) {
     write("panels.csv", "Probe;L 15;a 15;b 15\nSilber 2;120;0;0\nRot;50;60;30\n");
     const Outcome several = nacre("measure panels.csv");
@@ -54,7 +73,12 @@ TEST_F(Program, ASampleOfAFileIsChosenBehindItsName) {
     const Outcome versus = nacre("measure gray.toml --versus 'panels.csv#Silber 2'");
     EXPECT_EQ(versus.status, 0) << versus.err;
     EXPECT_EQ(number(versus.out, 1, 3), 120);
+    write("marks.csv", "Probe;L 15;a 15;b 15\nRot #1;50;60;30\n\"#2\";40;60;30\n");
+    EXPECT_THAT(nacre("measure 'marks.csv#Rot #1'").out, HasSubstr("45as15,45,15,50,60,30,"));
+    EXPECT_THAT(nacre("measure 'marks.csv##2'").out, HasSubstr("45as15,45,15,40,60,30,"));
     // The file is an input, which no output replaces.
+    EXPECT_THAT(nacre("measure 'marks.csv#Rot #1' -o marks.csv").err,
+                HasSubstr("would replace an input"));
     EXPECT_THAT(nacre("measure 'panels.csv#Rot' -o panels.csv").err,
                 HasSubstr("would replace an input"));
 }

@@ -366,6 +366,10 @@ Frames answer(const StandardRequest& request, const Context& context) {
     context.memory.set_standard(standard);
     json.update(colours_json(measurement));
     json["notes"] = standard->notes();
+    if (standard->kind() == Kind::measured_colours) {
+        for (const std::string& line : standard->implausible_numbers())
+            json["notes"].push_back(line);
+    }
     return {{dumped(json), {}}};
 }
 

@@ -200,7 +200,7 @@ Paint open_text(std::string bytes, const std::string& name, const References& re
             Measurement measurement = io::sample_called(file, sample, name);
             return Paint(std::make_shared<const Paint::State>(
                 MeasuredColours{std::move(bytes), sample, std::move(measurement),
-                                std::move(file.notes)},
+                                std::move(file.notes), std::move(file.contradictions)},
                 name));
         }
     }
@@ -408,6 +408,9 @@ std::vector<SolverWarning> Paint::warnings() const {
 }
 
 std::vector<std::string> Paint::implausible_numbers() const {
+    if (const auto* colours = std::get_if<MeasuredColours>(&state_->contents)) {
+        return colours->contradictions;
+    }
     if (!has_recipe()) return {};
     std::vector<std::string> lines = paint::implausible_numbers(recipe());
     for (std::string& line : lines) line = fmt::format("{}: {}", state_->label(), line);

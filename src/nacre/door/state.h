@@ -25,7 +25,7 @@ struct MeasuredColours {
     std::string text;
     std::string sample;  ///< which of the text's was asked for; empty: its only one
     measure::Measurement measurement;
-    std::vector<std::string> notes;
+    std::vector<std::string> notes, contradictions;
 };
 
 /// Position of a wavelength among those of a solved paint.

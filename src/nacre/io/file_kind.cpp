@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <initializer_list>
 #include <iterator>
+#include <nlohmann/json.hpp>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -44,8 +46,11 @@ constexpr std::pair<FileKind, const char*> kKindWords[] = {
     {FileKind::mesh, "a mesh"},
     {FileKind::picture, "a picture"},
     {FileKind::result_table, "a table that Nacre writes and does not read"},
+    {FileKind::result_document, "a result (JSON) that Nacre writes and does not read"},
     {FileKind::report, "a report about a run of Nacre"},
     {FileKind::materialx, "a material for other renderers (MaterialX)"},
+    {FileKind::cycles_script, "a material for Blender's Cycles (a script in Python)"},
+    {FileKind::threejs_module, "a material for three.js (a module in JavaScript)"},
     {FileKind::page, "a page (HTML)"},
     {FileKind::plot, "a drawing (SVG)"},
     {FileKind::empty, "empty"},
@@ -61,25 +66,43 @@ constexpr std::pair<FileKind, const char*> kKindWords[] = {
     {FileKind::text, "a text of no kind that is read here"},
 };
 
+constexpr std::string_view kColourDifferences = "colour differences (nacre measure --versus)";
+constexpr std::string_view kSparkle = "sparkle and graininess (nacre sparkle)";
+
 /// Headers of the tables that commands write, as far as they tell, and what stands under them.
 constexpr std::pair<std::string_view, std::string_view> kResultTables[] = {
     {"wavelength_nm,angle_deg,polarization,R,T",
      "reflectance and transmittance of films (nacre film)"},
     {"theta_i,phi_i,theta_o,phi_o,wavelength_nm,brdf",
      "values of a BRDF (nacre eval, nacre reference)"},
-    {"geometry,theta_i,aspecular_deg,L_standard", "colour differences (nacre measure --versus)"},
+    {"geometry,theta_i,aspecular_deg,L_standard", kColourDifferences},
     {"geometry,quantity,number,value,sd", "contributions to uncertainties (nacre measure)"},
-    {"geometry,theta_i,Y,background_Y", "sparkle and graininess (nacre sparkle)"},
+    {"geometry,theta_i,Y,background_Y", kSparkle},
+    {"geometry,quantity,standard,standard_se", "differences of sparkle (nacre sparkle --versus)"},
     {"name,from_nm,to_nm,n_550", "the materials that ship (nacre materials)"},
     {"name,title,kind,from_nm", "the pigments that ship (nacre pigments)"},
     {"wavelength_nm,scattering_per_mm,scattering_error",
      "coefficients of a pigment (nacre pigment)"},
 };
 constexpr std::string_view kAtlasColumns = ",theta_i,aspecular_deg,L,a,b,C,h,chip";
+/// Other programs' tables have such a header too: the first row tells.
+constexpr std::string_view kPictureDifferenceHeader = "quantity,value",
+                           kPictureDifferenceRow = "mse";
+
+/// How the files begin that exchange/ writes, a room above this one.
+constexpr std::string_view kCyclesScriptStart = "\"\"\"A paint for Blender's Cycles";
+constexpr std::string_view kThreejsModuleStart = "// A paint as a material of three.js";
 
 bool starts_with_any(std::string_view text, std::initializer_list<std::string_view> starts) {
     return std::any_of(starts.begin(), starts.end(),
                        [&](std::string_view start) { return text.starts_with(start); });
+}
+
+/// What follows the line that first_csv_line() finds.
+std::string_view after_first_csv_line(std::string_view text) {
+    const std::string_view first = first_csv_line(text);
+    if (first.empty()) return {};
+    return text.substr(static_cast<std::size_t>(first.data() + first.size() - text.data()));
 }
 
 /// The header, as if commas stood between its cells.
@@ -127,14 +150,41 @@ bool has_scene_key(const TomlDocument& document) {
                                [&](const char* key) { return document.root().contains(key); });
 }
 
-FileKind kind_of_json(std::string_view head) {
-    const auto has = [&](std::string_view text) {
-        return head.find(text) != std::string_view::npos;
+/// What the outermost object of a text in JSON says of itself, up to where the text ends or is wrong.
+struct JsonOutline {
+    std::set<std::string> keys;
+    std::string format;  ///< value of the key "format"; empty: there is none
+};
+
+JsonOutline json_outline(std::string_view text) {
+    using nlohmann::json;
+    using Event = json::parse_event_t;
+    JsonOutline outline;
+    std::string key;
+    const auto keep = [&](int depth, Event event, json& parsed) {
+        if (depth == 1 && event == Event::key) {
+            key = parsed.get<std::string>();
+            outline.keys.insert(key);
+        } else if (depth == 1 && event == Event::value && key == "format" && parsed.is_string()) {
+            outline.format = parsed.get<std::string>();
+        }
+        return depth == 0;  // nothing is kept of what may be large or nested deep
     };
-    if (has("\"nacre-measurement\"")) return FileKind::measured_colours;
-    if (has("\"nacre-difference\"")) return FileKind::report;
-    if (has("\"asset\"") || has("\"meshes\"")) return FileKind::mesh;
-    return has("\"command\"") && has("\"version\"") ? FileKind::report : FileKind::other_json;
+    constexpr bool kThrow = false;
+    [[maybe_unused]] const json kept = json::parse(text, keep, kThrow);
+    return outline;
+}
+
+/// @param text  all of it: what tells may stand behind long lists
+FileKind kind_of_json(std::string_view text) {
+    const JsonOutline outline = json_outline(text);
+    const auto has = [&](const char* key) { return outline.keys.contains(key); };
+    if (outline.format == kMeasurementFormat) return FileKind::measured_colours;
+    if (has("command") && has("version")) return FileKind::report;
+    if (outline.format == kDifferenceFormat || outline.format == kSparkleFormat) {
+        return FileKind::result_document;
+    }
+    return has("asset") || has("meshes") ? FileKind::mesh : FileKind::other_json;
 }
 
 FileKind kind_of_xml(std::string_view head) {
@@ -151,9 +201,7 @@ bool is_other_table(std::string_view head) {
     const std::string_view first = first_csv_line(head);
     if (first.empty() || is_toml_line(first)) return false;
     const char separator = csv_separator(first);
-    const std::string_view rest =
-        head.substr(static_cast<std::size_t>(first.data() + first.size() - head.data()));
-    const std::string_view second = first_csv_line(rest);
+    const std::string_view second = first_csv_line(after_first_csv_line(head));
     return first.find(separator) != std::string_view::npos &&
            (second.empty() || second.find(separator) != std::string_view::npos);
 }
@@ -161,7 +209,7 @@ bool is_other_table(std::string_view head) {
 FileKind kind_of_table(std::string_view head) {
     const std::string header = header_of(head);
     const auto columns = split(header, ',');
-    if (!result_table_of(head).empty()) return FileKind::result_table;
+    if (!result_of(head).empty()) return FileKind::result_table;
     if (header == "wavelength_nm,n" || header == "wavelength_nm,n,k") return FileKind::material;
     if (columns.size() == 2 && lowercase(trimmed(columns[0])) == "wavelength_nm") {
         return FileKind::spectrum;
@@ -175,9 +223,12 @@ FileKind kind_of_table(std::string_view head) {
     return is_other_table(head) ? FileKind::other_table : FileKind::text;
 }
 
-FileKind kind_of_text(std::string_view head, bool cut) {
+FileKind kind_of_text(std::string_view text, std::string_view head) {
+    const bool cut = head.size() < text.size();
     const std::string_view content = trimmed(without_byte_order_mark(head));
-    if (content.starts_with('{')) return kind_of_json(content);
+    if (content.starts_with('{')) return kind_of_json(text);
+    if (content.starts_with(kCyclesScriptStart)) return FileKind::cycles_script;
+    if (content.starts_with(kThreejsModuleStart)) return FileKind::threejs_module;
     if (content.starts_with('<')) return kind_of_xml(content);
     if (content.starts_with("solid") && content.find("facet") != std::string_view::npos) {
         return FileKind::mesh;
@@ -198,8 +249,18 @@ std::string words_for(FileKind kind) {
     return found->second;
 }
 
-std::string_view result_table_of(std::string_view text) {
+std::string_view result_of(std::string_view text) {
+    if (trimmed(without_byte_order_mark(text)).starts_with('{')) {
+        const std::string format = json_outline(text).format;
+        return format == kDifferenceFormat ? kColourDifferences
+               : format == kSparkleFormat  ? kSparkle
+                                           : "";
+    }
     const std::string header = header_of(text);
+    if (header == kPictureDifferenceHeader &&
+        header_of(after_first_csv_line(text)).starts_with(kPictureDifferenceRow)) {
+        return "the difference of two pictures (nacre diff)";
+    }
     for (const auto& [start, what] : kResultTables) {
         if (header.starts_with(start)) return what;
     }
@@ -231,7 +292,7 @@ FileKind kind_of_bytes(std::string_view bytes) {
     const std::string_view head = bytes.substr(0, kKindHeadBytes);
     const bool cut = head.size() < bytes.size();
     if (head.find('\0') != std::string_view::npos) return FileKind::binary;
-    const FileKind kind = kind_of_text(head, cut);
+    const FileKind kind = kind_of_text(bytes, head);
     const auto odd = first_not_utf8(head);  // which may be half of a character at the end
     const bool encoded = !odd || (cut && *odd + 4 > head.size());
     return encoded || kind == FileKind::mesh ? kind : FileKind::other_encoding;

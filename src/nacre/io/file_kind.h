@@ -29,11 +29,14 @@ enum class FileKind {
     mesh,      ///< OBJ, PLY, STL, glTF
     picture,   ///< OpenEXR, PNG, Radiance HDR
     // Results that are not read again.
-    result_table,  ///< CSV
-    report,        ///< JSON
+    result_table,     ///< CSV
+    result_document,  ///< JSON
+    report,           ///< JSON
     materialx,
-    page,  ///< HTML
-    plot,  ///< SVG
+    cycles_script,   ///< .blender.py
+    threejs_module,  ///< .three.js
+    page,            ///< HTML
+    plot,            ///< SVG
     // What Nacre does not read.
     empty,
     other_table,  ///< CSV whose header is not known
@@ -52,6 +55,10 @@ enum class FileKind {
 /// How a share of a picture begins; it is read above this room (render/share_file.h).
 inline constexpr std::string_view kPictureShareName = "nacre share of a picture";
 
+/// What documents in JSON that commands write and none reads name as their "format".
+inline constexpr std::string_view kDifferenceFormat = "nacre-difference";
+inline constexpr std::string_view kSparkleFormat = "nacre-sparkle";
+
 /// As messages name it: "a scene", "a spreadsheet or another archive; save its table as CSV".
 std::string words_for(FileKind kind);
 
@@ -62,8 +69,8 @@ FileKind kind_of_bytes(std::string_view bytes);
 /// recipe, whose reader says what is wrong in it.
 FileKind file_kind(std::string_view bytes);
 
-/// Which table of Nacre's a header begins: "reflectance and transmittance of films (nacre film)";
-/// empty for other tables. A difference is one.
-std::string_view result_table_of(std::string_view text);
+/// What a table or a document of results holds: "reflectance and transmittance of films (nacre
+/// film)"; empty for what is of neither kind. Differences are among them.
+std::string_view result_of(std::string_view text);
 
 }  // namespace nacre::io

@@ -47,7 +47,19 @@ TEST(FileKind, IsToldByContents) {
         {"wavelength_nm;angle_deg;polarization;R;T\n", FileKind::result_table},
         {"geometry,theta_i,aspecular_deg,L_standard,a_standard\n", FileKind::result_table},
         {"thickness_nm,theta_i,aspecular_deg,L,a,b,C,h,chip\n", FileKind::result_table},
+        {"geometry,quantity,standard,standard_se,sample\n", FileKind::result_table},
+        {"quantity,value\nmse,0\n", FileKind::result_table},
+        {"quantity;value\nmse;0,5\n", FileKind::result_table},
+        {"quantity,value\nmass,0\n", FileKind::other_table},
         {"{\"command\": \"measure\", \"version\": \"1\"}", FileKind::report},
+        {"{\"angles\": [1], \"format\": \"nacre-difference\", "
+         "\"sample\": {\"format\": \"nacre-measurement\"}}",
+         FileKind::result_document},
+        {"{\"distance_mm\": 500.0, \"format\": \"nacre-sparkle\"}", FileKind::result_document},
+        {"{\"a\": {\"format\": \"nacre-sparkle\"}}", FileKind::other_json},
+        {"{\"format\": \"nacre-sparkle\", \"cut\": [1", FileKind::result_document},
+        {"\"\"\"A paint for Blender's Cycles: a node group", FileKind::cycles_script},
+        {"// A paint as a material of three.js (0.154", FileKind::threejs_module},
         {"<?xml version=\"1.0\"?>\n<materialx version=\"1.38\">", FileKind::materialx},
         {"<!doctype html>\n", FileKind::page},
         {"<svg width=\"1\">", FileKind::plot},
@@ -71,6 +83,14 @@ TEST(FileKind, IsToldByContents) {
     }
     EXPECT_EQ(file_kind(read_file(shipped_file("scenes/flakes.toml"))), FileKind::scene);
     EXPECT_EQ(file_kind(read_file(shipped_file("paints/ruby.toml"))), FileKind::recipe);
+}
+
+TEST(FileKind, LongAndDeepJsonIsToldByItsOutermostKeys) {
+    std::string text = "{\"angles\": [";
+    while (text.size() < (1 << 17)) text += "[0.5], ";
+    EXPECT_EQ(kind_of_bytes(text + "1], \"format\": \"nacre-difference\"}"),
+              FileKind::result_document);
+    EXPECT_EQ(kind_of_bytes("{\"a\": " + std::string(1'000'000, '[')), FileKind::other_json);
 }
 
 TEST(FileKind, ALongTextMayBeCutWithinACharacter) {

@@ -17,6 +17,33 @@
 
 namespace nacre::io {
 
+namespace {
+
+/// Says which lines below the header are comments and would have as many cells as it: names that begin
+/// with the mark of comments are usual, and their rows must not vanish in silence.
+std::vector<std::string> rows_in_comments(std::string_view text, const std::string& filename,
+                                          const MeasurementHeader& header) {
+    std::size_t line = 0, first = 0, count = 0;
+    std::ptrdiff_t marks = 0;  // between the cells of the header
+    for (const std::string_view content : split(text, '\n')) {
+        ++line;
+        const auto here = std::count(content.begin(), content.end(), header.separator);
+        if (line == header.line) marks = here;
+        if (line <= header.line || !content.starts_with('#') || here != marks) continue;
+        if (count++ == 0) first = line;
+    }
+    if (count == 0) return {};
+    return {
+        fmt::format("{}:{}: begins with # as comments do, and is passed over{}; a name that begins "
+                    "so stands in quotes",
+                    filename, first,
+                    count == 1   ? ""
+                    : count == 2 ? ", as is one line more"
+                                 : fmt::format(", as are {} lines more", count - 1))};
+}
+
+}  // namespace
+
 MeasurementFile parse_measurement_csv(std::string_view text, const std::string& filename,
                                       const measure::Conditions& defaults) {
     const auto header = find_measurement_header(text);
@@ -35,7 +62,13 @@ MeasurementFile parse_measurement_csv(std::string_view text, const std::string& 
                         fmt::join(known_headings(), "; ")));
     }
     const MeasurementTableHints hints{.decimal_commas = header && header->separator != ','};
-    return read_measurement_table(std::move(rows), filename, hints, defaults);
+    MeasurementFile file = read_measurement_table(std::move(rows), filename, hints, defaults);
+    if (header) {
+        for (std::string& note : rows_in_comments(text, filename, *header)) {
+            file.notes.push_back(std::move(note));
+        }
+    }
+    return file;
 }
 
 std::string measurement_csv(const measure::Measurement& measurement,

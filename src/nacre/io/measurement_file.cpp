@@ -13,6 +13,7 @@
 #include "nacre/core/text.h"
 #include "nacre/core/version.h"
 #include "nacre/io/cgats.h"
+#include "nacre/io/colour_agreement.h"
 #include "nacre/io/cxf.h"
 #include "nacre/io/measurement_columns.h"
 #include "nacre/io/measurement_csv.h"
@@ -146,13 +147,15 @@ measure::Reading reading_of(const MeasurementRow& row, const std::vector<double>
 
 measure::Measurement assemble_measurement(std::string name, const measure::Conditions& conditions,
                                           std::vector<double> wavelengths_nm,
-                                          const std::vector<MeasurementRow>& rows) {
+                                          const std::vector<MeasurementRow>& rows,
+                                          ColourAgreement& agreement) {
     measure::Measurement measurement{std::move(name), conditions, {}, {}};
     std::set<std::tuple<double, double, double>> seen;
     bool has_spectra = false;
     for (const MeasurementRow& row : rows) {
         try {
             measurement.readings.push_back(reading_of(row, wavelengths_nm, conditions));
+            agreement.check(row, wavelengths_nm, conditions);
         } catch (const DomainError& error) {  // wavelengths that are no grid
             fail(row, error.what());
         }
@@ -170,8 +173,6 @@ measure::Measurement assemble_measurement(std::string name, const measure::Condi
 namespace {
 
 using nlohmann::json;
-
-constexpr const char* kMeasurementFormat = "nacre-measurement";
 
 /// A JSON object and its place in the file, for messages.
 class Member {
@@ -289,8 +290,8 @@ MeasurementRow read_reading(const Member& reading, std::size_t wavelengths) {
 
 }  // namespace
 
-measure::Measurement parse_measurement_json(std::string_view text, const std::string& filename,
-                                            const measure::Conditions& defaults) {
+MeasurementFile parse_measurement_json(std::string_view text, const std::string& filename,
+                                       const measure::Conditions& defaults) {
     // Nacre's own files need 4; members that others add may be nested deeper.
     constexpr int kMaxDepth = 64;
     if (json_nesting(text) > kMaxDepth) {
@@ -322,8 +323,12 @@ measure::Measurement parse_measurement_json(std::string_view text, const std::st
         rows.push_back(read_reading(Member(readings[i], filename, fmt::format("readings[{}]", i)),
                                     wavelengths.size()));
     }
-    return assemble_measurement(file.text_or("sample", ""), read_conditions(file, defaults),
-                                wavelengths, rows);
+    ColourAgreement agreement;
+    MeasurementFile read{
+        {assemble_measurement(file.text_or("sample", ""), read_conditions(file, defaults),
+                              wavelengths, rows, agreement)}};
+    read.contradictions = agreement.contradictions();
+    return read;
 }
 
 json measurement_json(const measure::Measurement& measurement) {
@@ -383,7 +388,7 @@ MeasurementFile parse_measurement_file(std::string_view text, const std::string&
                                        const measure::Conditions& defaults) {
     if (starts_like_json(text)) {
         require_utf8(text, filename);
-        return {{parse_measurement_json(text, filename, defaults)}};
+        return parse_measurement_json(text, filename, defaults);
     }
     if (looks_like_cxf(text)) return parse_measurement_cxf(text, filename, defaults);
     return looks_like_cgats(text) ? parse_measurement_cgats(text, filename, defaults)
@@ -436,13 +441,19 @@ measure::Measurement parse_measurement(std::string_view text, const std::string&
 
 SampleName split_sample_name(const std::filesystem::path& name) {
     const std::string text = name.string();
-    const std::size_t mark = text.rfind('#');
-    std::error_code none;
-    if (mark == std::string::npos || mark == 0 || mark + 1 == text.size() ||
-        std::filesystem::exists(std::filesystem::status(name, none))) {
-        return {name, ""};
+    const auto exists = [](const std::string& path) {
+        std::error_code none;
+        return std::filesystem::exists(std::filesystem::status(path, none));
+    };
+    if (exists(text)) return {name, ""};
+    std::size_t first = std::string::npos;  // of the marks with text on both sides
+    for (std::size_t mark = text.size(); mark-- > 1;) {
+        if (text[mark] != '#' || mark + 1 == text.size()) continue;
+        first = mark;
+        if (exists(text.substr(0, mark))) break;
     }
-    return {text.substr(0, mark), text.substr(mark + 1)};
+    if (first == std::string::npos) return {name, ""};
+    return {text.substr(0, first), text.substr(first + 1)};
 }
 
 measure::Measurement read_measurement(const std::filesystem::path& path,

@@ -28,24 +28,42 @@ inline constexpr Range kMeasuredWavelength{100, 10000, "nm"};
 /// under a wrong light or on a wrong scale by far more.
 inline constexpr double kMaxColourError = 5;
 
+/// Three numbers of a colour, and the unit of the last digit that is written of each; 0: not known.
+struct WrittenColour {
+    Vec3d values{}, unit{};
+};
+
+/// L*a*b* of lightness, chroma, and hue in degrees.
+Vec3d lab_of_lch(const Vec3d& lch);
+
 struct MeasurementRow {
     std::string place;  ///< "file.csv:3:1: ", for messages
     std::string name;   ///< of the geometry; empty: not stated
     std::optional<double> theta_i_deg, aspecular_deg, theta_o_deg, phi_deg;
     std::vector<double> reflectance_factor;
     std::optional<Vec3d> xyz, lab;
+    bool states_lab = true;  ///< false: lab is that of lch
+    std::optional<WrittenColour> lch = {};
+    /// As in WrittenColour.
+    Vec3d xyz_unit{}, lab_unit{};
+    double reflectance_unit = 0;
 };
 
+class ColourAgreement;
+struct MeasurementFile;
+
 /// Completes rows to a measurement.
+/// @param agreement  asked about each row
 /// @throws InputError as parse_measurement()
 measure::Measurement assemble_measurement(std::string name, const measure::Conditions& conditions,
                                           std::vector<double> wavelengths_nm,
-                                          const std::vector<MeasurementRow>& rows);
+                                          const std::vector<MeasurementRow>& rows,
+                                          ColourAgreement& agreement);
 
 // The JSON below. Internal to this folder.
 
-measure::Measurement parse_measurement_json(std::string_view text, const std::string& filename,
-                                            const measure::Conditions& defaults);
+MeasurementFile parse_measurement_json(std::string_view text, const std::string& filename,
+                                       const measure::Conditions& defaults);
 
 // Multi-angle colour as CSV, JSON and CGATS: what Nacre writes, and what instruments' software and
 // spreadsheets export. The columns and keys, and the defaults where one is missing: docs/measure.md.
@@ -55,9 +73,14 @@ struct MeasurementFile {
     std::vector<measure::Measurement> samples;  ///< one at least, in the order of the file
     /// What was decided that the file does not say, such as a scale in percent; each names the file.
     std::vector<std::string> notes = {};
+    /// Where columns contradict each other by more than what rounds, and which of them counts; each
+    /// names file and line.
+    std::vector<std::string> contradictions = {};
 };
 
 inline constexpr std::size_t kMaxReadings = 100'000;
+/// The "format" of the JSON.
+inline constexpr std::string_view kMeasurementFormat = "nacre-measurement";
 inline constexpr int kMeasurementFormatVersion = 1;
 
 /// A column beside those of a measurement, with a cell for each reading.
@@ -107,7 +130,9 @@ struct SampleName {
     std::filesystem::path file;
     std::string sample;  ///< empty: none is named
 };
-/// Takes the name apart, unless there is a file of the whole name.
+/// Takes the name apart. The file is the longest beginning that there is, the whole name or up to a
+/// '#', and the sample all that follows that mark, which may hold others; where there is no such file,
+/// the first mark divides. A mark at the beginning or the end is none.
 SampleName split_sample_name(const std::filesystem::path& name);
 
 /// @throws InputError as parse_measurement(), or if the file cannot be read

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <utility>
 
 #include "nacre/core/error.h"
 #include "nacre/core/text.h"
+#include "nacre/io/colour_agreement.h"
 #include "nacre/io/measurement_columns.h"
 #include "nacre/io/measurement_scale.h"
 #include "nacre/spectra/observer.h"
@@ -37,6 +37,20 @@ struct ReadingColumns {
     std::vector<std::size_t> spectrum = {};
     std::vector<double> wavelengths_nm = {};
 };
+
+/// The unit of the last digit of a number: 0.01 of "1,25".
+double last_digit(std::string_view text) {
+    const std::size_t mark = text.find_first_of(".,"), exponent = text.find_first_of("eE");
+    std::size_t decimals = 0;
+    if (mark != std::string_view::npos) {
+        const std::string_view after = text.substr(mark + 1);
+        decimals = std::min(after.find_first_not_of("0123456789"), after.size());
+    }
+    const double power = exponent == std::string_view::npos
+                             ? 0
+                             : parse_number(text.substr(exponent + 1)).value_or(0);
+    return std::pow(10.0, power - static_cast<double>(decimals));
+}
 
 /// The numbers of cells. A file has one decimal mark: a comma in one number and a point in another
 /// may be a separator of thousands, which would be read as a thousandth.
@@ -131,15 +145,17 @@ class MeasurementTable {
         numbers_.check();
         MeasurementFile file;
         apply_scale(readings, conditions, file.notes);
+        ColourAgreement agreement;
         std::vector<std::vector<MeasurementRow>> by_sample(names.size());
         for (std::size_t i = 0; i < readings.size(); ++i) {
             by_sample[sample_of[i]].push_back(std::move(readings[i]));
         }
         for (std::size_t i = 0; i < names.size(); ++i) {
             if (by_sample[i].empty()) continue;  // an empty row among them
-            file.samples.push_back(
-                assemble_measurement(names[i], conditions, wavelengths_nm_, by_sample[i]));
+            file.samples.push_back(assemble_measurement(names[i], conditions, wavelengths_nm_,
+                                                        by_sample[i], agreement));
         }
+        file.contradictions = agreement.contradictions();
         if (file.samples.empty()) throw InputError(filename_ + ": has a header, but no reading");
         return file;
     }
@@ -275,13 +291,15 @@ class MeasurementTable {
     }
 
     /// Three columns that belong together, or none of them.
-    std::optional<Vec3d> triple(const CsvRow& row, const ReadingColumns& columns,
-                                const char* const (&names)[3], const Range& range) {
+    std::optional<WrittenColour> triple(const CsvRow& row, const ReadingColumns& columns,
+                                        const char* const (&names)[3], const Range& range) {
         Vec3d values{};
+        double unit = 1;  // of all three: zeros at the end of one may be left out
         int found = 0;
         for (int c = 0; c < 3; ++c) {
             if (const auto value = number(row, columns, names[c], range)) {
                 values[c] = *value;
+                unit = std::min(unit, last_digit(cell(row, columns.columns, names[c])->text));
                 ++found;
             }
         }
@@ -291,23 +309,42 @@ class MeasurementTable {
                                          place(row[0]), names[0], names[1], names[2],
                                          by_angle() ? " at " + columns.geometry : ""));
         }
-        return values;
+        return WrittenColour{values, {unit, unit, unit}};
     }
 
-    std::optional<Vec3d> lab(const CsvRow& row, const ReadingColumns& columns) {
-        if (cell(row, columns.columns, "a") || cell(row, columns.columns, "b")) {
-            return triple(row, columns, {"l", "a", "b"}, kMeasuredColour);
+    /// Beside a and b: none unless they are numbers, as the hue of greys is often none.
+    std::optional<WrittenColour> chroma_beside(const CsvRow& row, const ReadingColumns& columns) {
+        for (const char* name : {"l", "c", "h"}) {
+            const CsvCell* found = cell(row, columns.columns, name);
+            const auto value = found ? NumberCells(numbers_).parse(*found) : std::nullopt;
+            if (!value || !kMeasuredColour.contains(*value)) return std::nullopt;
         }
-        auto lch = triple(row, columns, {"l", "c", "h"}, kMeasuredColour);
-        if (!lch) return std::nullopt;
-        const double h = (*lch)[2] * std::numbers::pi / 180, c = (*lch)[1];
-        return Vec3d{(*lch)[0], c * std::cos(h), c * std::sin(h)};
+        return triple(row, columns, {"l", "c", "h"}, kMeasuredColour);
     }
 
-    std::vector<double> spectrum(const CsvRow& row, const ReadingColumns& columns) {
+    void read_colour(const CsvRow& row, const ReadingColumns& columns, MeasurementRow& reading) {
+        reading.states_lab = cell(row, columns.columns, "a") || cell(row, columns.columns, "b");
+        if (reading.states_lab) {
+            if (const auto lab = triple(row, columns, {"l", "a", "b"}, kMeasuredColour)) {
+                reading.lab = lab->values;
+                reading.lab_unit = lab->unit;
+            }
+            reading.lch = chroma_beside(row, columns);
+        } else {
+            reading.lch = triple(row, columns, {"l", "c", "h"}, kMeasuredColour);
+            if (reading.lch) reading.lab = lab_of_lch(reading.lch->values);
+        }
+        if (const auto xyz = triple(row, columns, {"x", "y", "z"}, kMeasuredTristimulus)) {
+            reading.xyz = xyz->values;
+            reading.xyz_unit = xyz->unit;
+        }
+    }
+
+    std::vector<double> spectrum(const CsvRow& row, const ReadingColumns& columns, double& unit) {
         const bool there = std::any_of(columns.spectrum.begin(), columns.spectrum.end(),
                                        [&](std::size_t i) { return !row[i].text.empty(); });
         std::vector<double> values;
+        unit = 1;
         for (std::size_t i = 0; there && i < columns.spectrum.size(); ++i) {
             CsvCell cell = row[columns.spectrum[i]];
             if (cell.text.ends_with('%')) {  // as spreadsheets show a number in percent
@@ -316,6 +353,7 @@ class MeasurementTable {
             }
             values.push_back(
                 number(cell, fmt::format("R{}", columns.wavelengths_nm[i]), kMeasuredReflectance));
+            unit = std::min(unit, last_digit(cell.text));
         }
         return values;
     }
@@ -343,9 +381,8 @@ class MeasurementTable {
         } else if (!columns_.contains("aspecular_deg") && !columns_.contains("theta_i")) {
             reading.name = hints_.geometry;
         }
-        reading.lab = lab(row, columns);
-        reading.xyz = triple(row, columns, {"x", "y", "z"}, kMeasuredTristimulus);
-        reading.reflectance_factor = spectrum(row, columns);
+        read_colour(row, columns, reading);
+        reading.reflectance_factor = spectrum(row, columns, reading.reflectance_unit);
         if (by_angle()) {
             if (!reading.lab && !reading.xyz && reading.reflectance_factor.empty()) return {};
             return reading;
@@ -397,6 +434,7 @@ class MeasurementTable {
         if (!scale.percent) return;
         for (MeasurementRow& reading : readings) {
             for (double& value : reading.reflectance_factor) value /= 100;
+            reading.reflectance_unit /= 100;
         }
     }
 

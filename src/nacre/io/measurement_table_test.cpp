@@ -9,6 +9,7 @@
 #include "nacre/core/csv.h"
 #include "nacre/core/error.h"
 #include "nacre/testing/errors.h"
+#include "nacre/testing/files.h"
 
 // Tables as instruments and spreadsheets write them.
 
@@ -109,6 +110,38 @@ TEST(MeasurementTable, AFileIsTakenApartFromTheSampleInIt) {
     EXPECT_EQ(split_sample_name("panels.csv").sample, "");
     EXPECT_EQ(split_sample_name("#1.csv").file, "#1.csv");
     EXPECT_EQ(split_sample_name("panels.csv#").file, "panels.csv#");
+}
+
+TEST(MeasurementTable, ASampleAndAFileMayHaveTheMarkInTheirNames) {
+    const nacre::test::TempFolder folder;
+    const auto parts = [&](const std::string& name) {
+        const SampleName found = split_sample_name(folder / name);
+        return std::pair(found.file.filename().string(), found.sample);
+    };
+    using Parts = std::pair<std::string, std::string>;
+    EXPECT_EQ(parts("p.csv#Red #3"), Parts("p.csv", "Red #3")) << "no file: the first mark";
+    folder.write("p.csv", "x");
+    EXPECT_EQ(parts("p.csv#Red #3"), Parts("p.csv", "Red #3"));
+    EXPECT_EQ(parts("p.csv##3"), Parts("p.csv", "#3"));
+    EXPECT_EQ(parts("p.csv#3#"), Parts("p.csv", "3#"));
+    folder.write("p.csv#Red ", "x");
+    EXPECT_EQ(parts("p.csv#Red #3"), Parts("p.csv#Red ", "3")) << "the longest file";
+    EXPECT_EQ(parts("p.csv#Red "), Parts("p.csv#Red ", ""));
+    folder.write("a#b.csv", "x");
+    EXPECT_EQ(parts("a#b.csv#c#d"), Parts("a#b.csv", "c#d"));
+}
+
+TEST(MeasurementTable, RowsThatAreTakenForCommentsAreTold) {
+    const std::string header = "# by hand; with, all; of it;\nname;L 15;a 15;b 15\n";
+    const auto notes = [&](const std::string& rows) {
+        return parse_measurement_file(header + rows, "m.csv").notes;
+    };
+    EXPECT_THAT(notes("A;1;2;3\n# the last one is doubtful\n\"#2\";1;2;3\n"), IsEmpty());
+    EXPECT_THAT(
+        notes("#1;1;2;3\nA;1;2;3\n#2;1;2;3\n"),
+        ElementsAre("m.csv:3: begins with # as comments do, and is passed over, as is one line "
+                    "more; a name that begins so stands in quotes"));
+    EXPECT_EQ(parse_measurement(header + "\"#2\";1;2;3\n", "m.csv", {}, "#2").name, "#2");
 }
 
 // Factors and percent, told apart by what the file says.

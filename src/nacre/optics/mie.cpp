@@ -41,6 +41,11 @@ MieSeries::MieSeries(double x, ComplexIndex m) : size_parameter_(x) {
             m.real(), m.imag(), x, kMaxPhaseShift));
     }
     const int count = static_cast<int>(std::ceil(x + 4.3 * std::cbrt(x) + 3));
+    if (m == ComplexIndex(1)) {  // nothing is there; the recurrences would leave rounding
+        electric_.assign(count, 0);
+        magnetic_.assign(count, 0);
+        return;
+    }
     const std::vector<Complex> inside = logarithmic_derivatives(m * x, count);
     // psi and chi of the argument x, by upward recurrence. What rounding adds to psi grows like chi,
     // the small coefficients err by rounding of the large ones. For small spheres they are all
@@ -83,7 +88,7 @@ MieEfficiencies MieSeries::efficiencies() const {
         }
     }
     const double scale = 2 / (size_parameter_ * size_parameter_);
-    return {scale * extinction, scale * scattering, 2 * turned / scattering};
+    return {scale * extinction, scale * scattering, scattering > 0 ? 2 * turned / scattering : 0};
 }
 
 std::vector<double> MieSeries::intensities(std::span<const double> cosines) const {

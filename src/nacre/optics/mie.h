@@ -22,7 +22,9 @@ inline constexpr double kMieRelativeError = 1e-9;
 /// Cross sections over the sphere's shadow, pi diameter^2 / 4.
 struct MieEfficiencies {
     double extinction, scattering;
-    double asymmetry;  ///< g, the mean cosine of the angle by which light is turned
+    double
+        asymmetry;  ///< g, the mean cosine of the angle by which light is turned; 0 where no light
+                    ///< is turned, as by a sphere of the medium's own index
 
     double absorption() const { return extinction - scattering; }
 };
@@ -37,7 +39,8 @@ class MieSeries {
 
     /// Number of terms, somewhat above those of [wiscombe-1980]: what follows is rounding.
     int terms() const { return static_cast<int>(electric_.size()); }
-    /// a_n and b_n, n = 1 ... terms() at index n - 1.           [bohren-huffman-1983, eq. 4.53]
+    /// a_n and b_n, n = 1 ... terms() at index n - 1; all 0 where the relative index is 1.
+    ///                                                          [bohren-huffman-1983, eq. 4.53]
     const std::vector<ComplexIndex>& electric() const { return electric_; }
     const std::vector<ComplexIndex>& magnetic() const { return magnetic_; }
 

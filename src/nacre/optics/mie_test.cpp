@@ -36,6 +36,15 @@ const KnownSphere kSpheres[] = {
     {0.02, {1.6, 0}, 4.99383074743521e-08, 4.99383074743521e-08, 8.32599493143443e-05},
 };
 
+TEST(Mie, ASphereOfTheMediumsIndexScattersNothing) {
+    for (const double x : {1e-6, 1e-3, 0.1, 1.0, 3.7, 100.0, 1e4}) {
+        const MieEfficiencies e = MieSeries(x, 1).efficiencies();
+        EXPECT_EQ(e.scattering, 0) << x;
+        EXPECT_EQ(e.extinction, 0) << x;
+        EXPECT_EQ(e.asymmetry, 0) << x;
+    }
+}
+
 TEST(Mie, EfficienciesMatchMiepython) {
     constexpr double kAgreement = 1e-8;
     for (const KnownSphere& known : kSpheres) {

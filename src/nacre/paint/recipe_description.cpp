@@ -418,7 +418,8 @@ constexpr Field kAnisotropy{.key = "anisotropy",
                             .range = {-1, 1, "", true, true},
                             .meaning =
                                 "g, the mean cosine of the angle by which light is turned "
-                                "[henyey-greenstein-1941]",
+                                "[henyey-greenstein-1941]; models that solve the paint take "
+                                "[-0.97, 0.97]",
                             .words = "g = {}"};
 
 void describe_share(Visitor& visit, OptionalPigmentAmount& amount) {

@@ -130,9 +130,10 @@ CompiledScene::CompiledScene(const SceneDescription& description, const PaintTab
         const SurfaceCoordinates by = materials[material]->surface_coordinates();
         if (surface.mesh.uv.empty() && (by == SurfaceCoordinates::unit_square ||
                                         by == SurfaceCoordinates::place_in_unit_square)) {
+            const auto& file = std::get<MeshFile>(shape.geometry);
             throw InputError(
-                fmt::format("mesh '{}': has no texture coordinates; the material '{}' {}",
-                            std::get<MeshFile>(shape.geometry).path.string(), shape.material,
+                fmt::format("{}mesh '{}': has no texture coordinates; the material '{}' {}",
+                            file.named_at.place, file.path.string(), shape.material,
                             by == SurfaceCoordinates::unit_square
                                 ? "is a paint that shows single facets, whose places they give"
                                 : "is a picture, which they lay over the mesh"));

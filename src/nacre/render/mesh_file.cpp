@@ -250,7 +250,11 @@ Mesh parse_lone_mesh(std::string_view bytes, const MeshFile& file, double max_el
 
 Mesh make_mesh(const MeshFile& file) {
     if (file.read) return *file.read;
-    return parse_mesh(read_file(file.path, kMaxMeshBytes), file);
+    try {
+        return parse_mesh(read_file(file.path, kMaxMeshBytes), file);
+    } catch (const InputError& error) {
+        throw InputError(file.named_at.place + error.what());
+    }
 }
 
 }  // namespace nacre::render

@@ -71,6 +71,14 @@ struct Sphere {
     friend bool operator==(const Sphere&, const Sphere&) = default;
 };
 
+/// Where the text of a scene names a file, for messages about that file: "ball.toml:5:8: shapes[0].path: ".
+/// Empty of what was not read from a text. It makes no difference between scenes.
+struct NamedAt {
+    std::string place = {};
+
+    friend bool operator==(const NamedAt&, const NamedAt&) { return true; }
+};
+
 /// A triangle mesh from a file: OBJ, PLY, glTF, STL (mesh_file.h). Normals of the file are used;
 /// where it has none, they are made smooth below the crease angle.
 struct MeshFile {
@@ -83,6 +91,7 @@ struct MeshFile {
     std::string part = {};
     /// What was read of it, where it was not read from a disk: then `path` is a name for messages.
     std::shared_ptr<const Mesh> read = {};
+    NamedAt named_at = {};
 
     friend bool operator==(const MeshFile&, const MeshFile&) = default;
 };
@@ -193,6 +202,7 @@ struct PlasticMaterial {
 /// paint that the user names (`nacre render --paint`).
 struct PaintMaterial {
     std::filesystem::path recipe;
+    NamedAt named_at = {};
 
     friend bool operator==(const PaintMaterial&, const PaintMaterial&) = default;
 };

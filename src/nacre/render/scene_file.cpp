@@ -55,6 +55,26 @@ void read_pictures(const io::TableReader& table, SceneDescription& scene) {
     }
 }
 
+/// Notes where files are named that are read later.
+void note_places(const io::TableReader& table, SceneDescription& scene) {
+    const auto place = [&](const io::TableReader& reader, const char* key) {
+        const std::string path = reader.path_of(key);
+        return NamedAt{table.document().location(path) + path + ": "};
+    };
+    for (auto& [name, material] : scene.materials) {
+        if (auto* paint = std::get_if<PaintMaterial>(&material)) {
+            paint->named_at = place(table.table("materials", {}).table(name, {}), "recipe");
+        }
+    }
+    if (scene.shapes.empty()) return;
+    const std::vector<io::TableReader> shapes = table.tables("shapes", kMaxShapes, {});
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+        if (auto* mesh = std::get_if<MeshFile>(&scene.shapes[i].geometry)) {
+            mesh->named_at = place(shapes[i], "path");
+        }
+    }
+}
+
 }  // namespace
 
 std::string without_negative_light(std::vector<float>& rgb, const std::string& name) {
@@ -85,6 +105,7 @@ SceneDescription parse_scene(std::string_view text, const std::string& filename,
     const io::TableReader table(document, keys_of(described));
     io::read_described(table, described);
     read_pictures(table, scene);
+    note_places(table, scene);
     if (scene.shapes.empty()) {
         table.fail("shapes",
                    fmt::format("is missing; a scene needs 1 to {} tables [[shapes]]", kMaxShapes));

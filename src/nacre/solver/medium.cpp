@@ -1,10 +1,15 @@
 #include "nacre/solver/medium.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <string>
+#include <variant>
 
+#include "nacre/core/error.h"
 #include "nacre/core/lru_cache.h"
 #include "nacre/paint/beckmann.h"
 #include "nacre/paint/expansion.h"
@@ -70,6 +75,32 @@ PigmentMedium make_pigment(const paint::Pigment& pigment, const optics::Material
             sampled(given.absorption_per_mm, wavelengths, 1 / kUmPerMm), given.anisotropy};
 }
 
+/// Before all that takes longer.
+void require_resolvable(const paint::Recipe& recipe, const std::vector<double>& wavelengths) {
+    for (std::size_t i = 0; i < recipe.layers.size(); ++i) {
+        for (std::size_t j = 0; j < recipe.layers[i].pigments.size(); ++j) {
+            const paint::Pigment& given = recipe.layers[i].pigments[j];
+            const PigmentMedium pigment = make_pigment(given, recipe.binder, wavelengths);
+            if (pigment.sharpness() <= kSharpestPigment) continue;
+            const std::string key = fmt::format("layer[{}].pigment[{}]", i, j);
+            if (const auto* particles = std::get_if<paint::PigmentParticles>(&given.body)) {
+                throw DomainError(fmt::format(
+                    "{}.diameter_nm = {}: particles this large scatter as sharply forwards as an "
+                    "anisotropy of {:.3f}, and what is solved must have one in [{}, {}]; use "
+                    "smaller "
+                    "ones, or less spread",
+                    key, particles->spheres.diameter_nm, pigment.sharpness(), -kSharpestPigment,
+                    kSharpestPigment));
+            }
+            throw DomainError(fmt::format(
+                "{}.anisotropy = {}: must be in [{}, {}] to be solved (the models walk and volume "
+                "take any); for a sharper one use similarity, scattering x (1 - anisotropy) with "
+                "anisotropy = 0",
+                key, pigment.anisotropy, -kSharpestPigment, kSharpestPigment));
+        }
+    }
+}
+
 }  // namespace
 
 DoubleLanes block_lanes(std::span<const double> values, int block) {
@@ -84,9 +115,14 @@ DoubleLanes PigmentMedium::phase_value(double cosine, int block) const {
     return splat((1 - g * g) / (4 * std::numbers::pi * std::pow(1 + g * g - 2 * g * cosine, 1.5)));
 }
 
+double PigmentMedium::sharpness() const {
+    return phase ? phase->sharpness() : std::abs(anisotropy);
+}
+
 PaintMedium make_medium(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,
                         FilmCache* films, SharedProgress* work) {
     validate(recipe, wavelengths_nm);
+    require_resolvable(recipe, wavelengths_nm);
     PaintMedium medium;
     medium.wavelengths_nm = wavelengths_nm;
     for (double w : wavelengths_nm) medium.ior.push_back(recipe.binder.index(w).real());

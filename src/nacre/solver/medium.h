@@ -39,6 +39,9 @@ struct PigmentMedium {
     ///                                                          [henyey-greenstein-1941, eq. 2]
     DoubleLanes phase_value(double cosine, int block) const;
 
+    /// The anisotropy of the Henyey-Greenstein lobe that is as sharp, in [0, 1).
+    double sharpness() const;
+
     friend bool operator==(const PigmentMedium&, const PigmentMedium&) = default;
 };
 
@@ -62,8 +65,12 @@ struct PaintMedium {
     friend bool operator==(const PaintMedium&, const PaintMedium&) = default;
 };
 
+/// The sharpest pigment that is solved: beyond, the number of Legendre degrees makes it take minutes.
+inline constexpr double kSharpestPigment = 0.97;
+
 /// @param films  cache of the flakes' tables; null: none
-/// @throws DomainError as validate() and optics::platelet_table() do
+/// @throws DomainError as validate() and optics::platelet_table() do, and if a pigment is sharper than
+///         kSharpestPigment, naming its key
 /// @throws Stopped if `work`, which is asked where it is not null, says so
 PaintMedium make_medium(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,
                         FilmCache* films = nullptr, SharedProgress* work = nullptr);

@@ -1,5 +1,6 @@
 #include "nacre/solver/medium.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,12 +10,14 @@
 #include "nacre/core/error.h"
 #include "nacre/core/vec.h"
 #include "nacre/paint/beckmann.h"
+#include "nacre/testing/errors.h"
 #include "nacre/testing/layers.h"
 
 namespace nacre::solver {
 namespace {
 
 using test::kOneWavelength;
+using ::testing::HasSubstr;
 
 // Equations (3) to (6) of [mir-2022] as printed, with the exponent of (4) repaired: an independent
 // form of the same kernel, which loses digits to cancellation.
@@ -136,6 +139,25 @@ TEST(PaintMedium, CarriesUnitsOverFromTheRecipe) {
     EXPECT_NEAR(m.layers[0].pigments[0].scattering_per_um[0], 2.4e-2, 1e-16);
     EXPECT_NEAR(m.substrate_reflectance[1], 0.35, 1e-15);
     EXPECT_NEAR(extinction(m.layers[0], 0.4, 0)[2], 3e-2, 1e-16);  // isotropic
+}
+
+TEST(PaintMedium, NamesThePigmentThatIsTooSharp) {
+    const auto complaint = [](paint::Pigment pigment) {
+        paint::Recipe recipe = test::flake_paint(0.1, 0.6, 0.1, 1, 1.5);
+        // What is solved has more layers than the recipe where alpha changes with depth.
+        recipe.layers[0].flakes[0].orientation.alpha_bottom = 0.3;
+        recipe.layers.push_back(test::pigment_paint(0.8, 3, 0.97, 1.5).layers[0]);
+        recipe.layers[1].pigments.push_back(std::move(pigment));
+        return nacre::test::message_of<DomainError>([&] { make_medium(recipe, kOneWavelength); });
+    };
+    EXPECT_EQ(complaint({paint::PigmentCoefficients{10.0, 1.0, 0.97}}), "accepted");
+    EXPECT_THAT(complaint({paint::PigmentCoefficients{10.0, 1.0, -0.98}}),
+                HasSubstr("layer[1].pigment[1].anisotropy = -0.98: must be in [-0.97, 0.97]"));
+    paint::PigmentParticles balls;
+    balls.spheres.material = optics::Material(2.0);
+    balls.spheres.diameter_nm = 9000;
+    balls.amount = paint::PigmentVolume{0.1};
+    EXPECT_THAT(complaint({balls}), HasSubstr("layer[1].pigment[1].diameter_nm = 9000: particles"));
 }
 
 TEST(PaintMedium, RefusesWhatTheRecipeForbids) {

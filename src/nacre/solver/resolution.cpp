@@ -12,9 +12,6 @@ namespace nacre::solver {
 
 namespace {
 
-// Beyond, the number of Legendre degrees makes a solve take minutes.
-constexpr double kSharpestPigment = 0.97;
-
 // Lobes this wide err as much for other reasons as by the colours of films (docs/solver.md, Accuracy).
 constexpr double kWideLobe = 0.3;
 
@@ -122,27 +119,7 @@ Resolution choose_resolution(const PaintMedium& medium, const SolverSettings& se
     for (const LayerMedium& layer : medium.layers) {
         for (const FlakeMedium& flake : layer.flakes) alpha = std::min(alpha, flake.alpha);
         for (const PigmentMedium& pigment : layer.pigments) {
-            if (pigment.phase) {
-                const double sharpness = pigment.phase->sharpness();
-                if (sharpness > kSharpestPigment) {
-                    throw Error(fmt::format(
-                        "pigment.diameter_nm: particles this large scatter as sharply forwards as "
-                        "Henyey-Greenstein lobes of anisotropy {:.3f}, and the solver resolves up "
-                        "to "
-                        "{}; use smaller ones, or less spread",
-                        sharpness, kSharpestPigment));
-                }
-                alpha = std::min(alpha, 1.5 * (1 - sharpness));
-                continue;
-            }
-            if (std::abs(pigment.anisotropy) > kSharpestPigment) {
-                throw Error(fmt::format(
-                    "pigment.anisotropy = {}: the solver resolves Henyey-Greenstein lobes from {} "
-                    "to {}; use similarity, scattering x (1 - anisotropy) with anisotropy = 0, for "
-                    "sharper ones",
-                    pigment.anisotropy, -kSharpestPigment, kSharpestPigment));
-            }
-            alpha = std::min(alpha, 1.5 * (1 - std::abs(pigment.anisotropy)));
+            alpha = std::min(alpha, 1.5 * (1 - pigment.sharpness()));
         }
     }
     Resolution r;

@@ -16,7 +16,7 @@ inline constexpr int kMaxFilmNodes = 16;
 
 /// Chooses from the narrowest flake roughness, the sharpest pigment and how the colours of films change with
 /// the angle; what `settings` fixes is taken as it is.
-/// @throws DomainError if a setting is out of range; Error if a lobe is too sharp for any setting
+/// @throws DomainError if a setting is out of range
 Resolution choose_resolution(const PaintMedium& medium, const SolverSettings& settings);
 
 /// Largest SolverReport::unresolved_scattering that is not refined. No energy is lost (make_block()

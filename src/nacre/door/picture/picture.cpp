@@ -194,8 +194,15 @@ Scene::Scene(render::SceneDescription description, const ScenePaints& paints,
     for (const auto& [name, material] : description.materials) {
         const auto* wanted = std::get_if<render::PaintMaterial>(&material);
         if (!wanted) continue;
-        const std::size_t found = painter.find(wanted->recipe, name, description.references);
-        table[name] = painter.look(description, name, found);
+        std::size_t found = 0;
+        try {
+            found = painter.find(wanted->recipe, name, description.references);
+            table[name] = painter.look(description, name, found);
+        } catch (const InputError& error) {
+            // The paint of the slot is not of the scene.
+            if (wanted->recipe.empty()) throw;
+            throw InputError(wanted->named_at.place + error.what());
+        }
         const Paint& paint = painter.paint(found);
         const auto require_shown = [&, &name = name](const char* key, bool is_there, bool shown) {
             if (!is_there || shown) return;
