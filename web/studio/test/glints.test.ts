@@ -10,7 +10,7 @@ import LEVELS from "./flake_levels.json";
 import { LiveBrowser } from "./live_browser";
 import type { LivePicture, Scene } from "./live_page";
 
-/** A quarter of them ask flakes, in the same parts of a pixel as the live picture's first sixteen. */
+/** A quarter of them draw from flakes, in the same strata of a pixel as the live picture's first sixteen. */
 const TRACED_SAMPLES = 64;
 
 let browser: LiveBrowser;

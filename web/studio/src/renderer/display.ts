@@ -25,7 +25,7 @@ export const INTERLEAVED = 5;
 /** Samples up to which the mean is that wide; then over three pixels. */
 const SMOOTHED_WIDE = 5;
 
-/** Of the picture before, so that each part of a pixel has been asked for its flakes. */
+/** Of the picture before, so that each stratum of a pixel has been sampled for its flakes. */
 const KEPT = 16;
 
 const light = ({ textures }: WebGLRenderTarget): Texture => textures[0] as Texture;

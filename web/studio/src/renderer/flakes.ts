@@ -1,5 +1,5 @@
 /**
- * Single flakes in the live picture: which of them a sample asks.
+ * Single flakes in the live picture: which of them a sample draws from.
  *
  * The paint's text finds the flakes on a patch of the surface and what they reflect
  * (src/nacre/exchange/webgl_flakes.glsl); here the pixel is divided into patches, as the path tracer
@@ -11,15 +11,15 @@ import type { Value } from "./pass";
 import type { Matrix, Vec3 } from "./space";
 import { inverseRigid, shapeMatrix } from "./space";
 
-/** Samples of a pixel between which its flakes are divided: the first ones, so that each is asked once. */
-const PARTS = 16;
-/** Of the samples after them, one of so many asks again. */
+/** Samples of a pixel between which its flakes are divided: the first ones, so that each is sampled once. */
+const STRATA = 16;
+/** Of the samples after them, one of so many draws from flakes again. */
 const FEWER = 4;
-const SIDE = Math.sqrt(PARTS);
+const SIDE = Math.sqrt(STRATA);
 
 /** Of a pixel about its middle, in pixels; x to the right and y up. */
-export interface Part {
-    /** Where the sample looks: anywhere in the part. */
+export interface Stratum {
+    /** Where the sample looks: anywhere in the stratum. */
     readonly place: readonly [number, number];
     readonly middle: readonly [number, number];
     readonly size: readonly [number, number];
@@ -39,23 +39,23 @@ function sideOf(index: number, within: number): readonly [number, number, number
     return [tent((index + within) / SIDE), middle, length, middle < 0 ? fall : -fall];
 }
 
-/** Whether a sample asks flakes, and where it looks. @param shown  flakes are */
-export function sampleOf(sample: number, shown: boolean): { asks: boolean; part: Part } {
-    if (!shown) return { asks: false, part: partOf(sample) };
-    const asks = sample < PARTS || sample % FEWER === 0;
-    const asked = Math.min(sample, PARTS) + Math.ceil(Math.max(sample - PARTS, 0) / FEWER);
-    // Those that ask look at all parts in turn, and so do the others.
-    return { asks, part: partOf(asks ? asked : sample - asked) };
+/** Whether a sample draws from flakes, and where it looks. @param shown  flakes are */
+export function sampleOf(sample: number, shown: boolean): { sampled: boolean; stratum: Stratum } {
+    if (!shown) return { sampled: false, stratum: stratumOf(sample) };
+    const sampled = sample < STRATA || sample % FEWER === 0;
+    const before = Math.min(sample, STRATA) + Math.ceil(Math.max(sample - STRATA, 0) / FEWER);
+    // Those that draw from flakes take all strata in turn, and so do the others.
+    return { sampled, stratum: stratumOf(sampled ? before : sample - before) };
 }
 
-/** The parts that follow each other are far apart. */
-function partOf(index: number): Part {
-    const [round, number] = [Math.floor(index / PARTS), index % PARTS];
+/** The strata that follow each other are far apart. */
+function stratumOf(index: number): Stratum {
+    const [round, number] = [Math.floor(index / STRATA), index % STRATA];
     // Bits of the number, turned round and dealt out to columns and rows.
     const bit = (k: number): number => (number >> k) & 1;
     const column = 2 * bit(0) + bit(2);
     const row = 2 * (bit(0) ^ bit(1)) + (bit(2) ^ bit(3));
-    // Places that fill the part evenly.
+    // Places that fill the stratum evenly.
     const x = sideOf(column, (round * 0.7548776662 + 0.5) % 1);
     const y = sideOf(row, (round * 0.569840291 + 0.5) % 1);
     return {
@@ -74,17 +74,17 @@ export function restMatrix(transform: Transform, turn_deg: number, pivot: Vec3):
 /** Uniforms of the text below. @param toRest  restMatrix() */
 export function flakeValues(
     toRest: Matrix,
-    { middle, size, tilt }: Part,
+    { middle, size, tilt }: Stratum,
     shown: boolean,
-    asks: boolean,
+    sampled: boolean,
 ): Record<string, Value> {
     return {
         flakesShown: shown ? 1 : 0,
-        flakesAsked: asks ? 1 : 0,
+        flakesSampled: sampled ? 1 : 0,
         toRest,
-        partMiddle: middle,
-        partSize: size,
-        partTilt: tilt,
+        stratumMiddle: middle,
+        stratumSize: size,
+        stratumTilt: tilt,
     };
 }
 
@@ -92,11 +92,11 @@ export function flakeValues(
 export const FLAKES = `
 #ifdef NACRE_FLAKES
 uniform bool flakesShown;
-uniform bool flakesAsked;
+uniform bool flakesSampled;
 uniform mat4 toRest;
-uniform vec2 partMiddle;  // in pixels, from the middle of this one
-uniform vec2 partSize;
-uniform vec2 partTilt;
+uniform vec2 stratumMiddle;  // in pixels, from the middle of this one
+uniform vec2 stratumSize;
+uniform vec2 stratumTilt;
 
 vec3 lookedAtFrom;
 mat3 lookedAtFrame;
@@ -105,8 +105,8 @@ vec3 nacreRadiance(vec3 wo) {
     return radianceFrom(lookedAtFrom, lookedAtFrame * wo, ignored);
 }
 
-/// What the part of a pixel covers of the surface, which is flat there.
-NacrePatch partOn(vec3 place, mat3 toWorld) {
+/// What the stratum of a pixel covers of the surface, which is flat there.
+NacrePatch patchOn(vec3 place, mat3 toWorld) {
     vec3 n = toWorld[2], q = place - eye;
     float depth = dot(q, ahead);
     q /= depth;
@@ -115,11 +115,11 @@ NacrePatch partOn(vec3 place, mat3 toWorld) {
     vec3 stepX = across * (2. / size.x), stepY = upwards * (2. / size.y);
     vec3 edgeX = depth * (stepX - q * (dot(n, stepX) / facing));
     vec3 edgeY = depth * (stepY - q * (dot(n, stepY) / facing));
-    vec2 from = partMiddle - shift;
+    vec2 from = stratumMiddle - shift;
     vec3 middle = place + from.x * edgeX + from.y * edgeY;
     mat3 turn = mat3(toRest);
     return NacrePatch((toRest * vec4(middle, 1.)).xyz, normalize(turn * n), normalize(turn * toWorld[0]),
-                      partSize.x * (turn * edgeX), partSize.y * (turn * edgeY), partTilt);
+                      stratumSize.x * (turn * edgeX), stratumSize.y * (turn * edgeY), stratumTilt);
 }
 
 vec3 shadedFlakes(vec3 place, mat3 toWorld, vec3 wi, vec3 towardsSun) {
@@ -131,11 +131,11 @@ vec3 shadedFlakes(vec3 place, mat3 toWorld, vec3 wi, vec3 towardsSun) {
     lookedAtFrom = place;
     lookedAtFrame = toWorld;
     float angle = 2. * PI * (1. - sun.w);
-    return nacreFlakes(partOn(place, toWorld), flakesAsked, wi, towardsSun, sunRadiance * angle, angle,
+    return nacreFlakes(patchOn(place, toWorld), flakesSampled, wi, towardsSun, sunRadiance * angle, angle,
                        mixBits(pixelBits ^ (sampleIndex * 0x9e3779b9u)));
 }
 #else
-const bool flakesAsked = false;
+const bool flakesSampled = false;
 vec3 shadedFlakes(vec3 place, mat3 toWorld, vec3 wi, vec3 towardsSun) { return vec3(0.); }
 void nacreWithoutSunlit() {}
 #endif

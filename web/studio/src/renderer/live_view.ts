@@ -9,7 +9,7 @@
 import type { Texture, TextureDataType, WebGLRenderer } from "three";
 import { FloatType, HalfFloatType } from "three";
 import { Display, ENOUGH, INTERLEAVED } from "./display";
-import type { Part } from "./flakes";
+import type { Stratum } from "./flakes";
 import { flakeValues, restMatrix, sampleOf } from "./flakes";
 import { lightValues } from "./lights";
 import type { Light, Mesh, PaintFilms, PaintShader, Transform } from "./paint";
@@ -53,8 +53,8 @@ const LEAST_COARSE = 3;
 const MOST_COARSE = 10;
 /** Between looks whether a frame has been drawn. */
 const POLL_MS = 2;
-/** Of a sample that asks flakes, over one that does not, where processors draw. */
-const ASKING_COST = 6;
+/** Of a sample with flakes, over one that does not, where processors draw. */
+const COST_OF_FLAKES = 6;
 const MOST_SAMPLES = 1024;
 
 /** Draws where WebGL 2 can draw into floats; else its constructor throws an Error that says what lacks. */
@@ -365,9 +365,9 @@ export class LiveView {
         const pixels = whole.target.width * whole.target.height;
         const { budget, moving } = this.pace.budgets();
         // One sample shows a part of a pixel's flakes, which glitter more than all of them.
-        const { asks } = sampleOf(0, this.showsFlakesIn(whole));
-        const least = asks ? ENOUGH * ASKING_COST * pixels : pixels;
-        const awaited = asks && !this.paint.films;
+        const { sampled } = sampleOf(0, this.showsFlakesIn(whole));
+        const least = sampled ? ENOUGH * COST_OF_FLAKES * pixels : pixels;
+        const awaited = sampled && !this.paint.films;
         // The first frame of a paint goes without them.
         if (awaited && !this.dirty && !this.filmsWanted && this.nextPaint === null) {
             this.filmsWanted = true;
@@ -431,15 +431,15 @@ export class LiveView {
         let work = 0;
         while (work < 0.75 * budget && sums.samples < this.mostSamples) {
             const shown = this.showsFlakesIn(sums);
-            const { asks, part } = sampleOf(shown ? sums.samples : sums.place, shown);
-            const cost = asks ? ASKING_COST * width : width;
+            const { sampled, stratum } = sampleOf(shown ? sums.samples : sums.place, shown);
+            const cost = sampled ? COST_OF_FLAKES * width : width;
             const rows = Math.max(
                 1,
                 Math.min(height - sums.rows, Math.round((budget - work) / cost)),
             );
             const eye = eyeOf(this.camera as Camera, this.canvas.width / this.canvas.height);
-            if (sums.rows === 0) this.drawShape(sums, eye, part.place);
-            this.shade(sums, eye, part, rows, shown, asks);
+            if (sums.rows === 0) this.drawShape(sums, eye, stratum.place);
+            this.shade(sums, eye, stratum, rows, shown, sampled);
             work += rows * cost;
             sums.added(rows);
         }
@@ -455,10 +455,10 @@ export class LiveView {
     private shade(
         sums: Sums,
         eye: Eye,
-        part: Part,
+        stratum: Stratum,
         rows: number,
         shown: boolean,
-        asks: boolean,
+        sampled: boolean,
     ): void {
         const { target, shape, samples, rows: from } = sums;
         const paint = this.paint as PaintShader;
@@ -475,8 +475,8 @@ export class LiveView {
             across: eye.across,
             upwards: eye.upwards,
             size: [target.width, target.height],
-            shift: part.place,
-            ...flakeValues(toRest, part, shown, asks),
+            shift: stratum.place,
+            ...flakeValues(toRest, stratum, shown, sampled),
             sampleIndex: samples,
             interleaved: sums === this.whole ? 0 : INTERLEAVED,
         });

@@ -78,7 +78,7 @@ uniform vec2 shift;              // of this sample within its pixel
 uniform uint sampleIndex;
 uniform int interleaved;         // pixels of a side of which each takes other ones of the same numbers; 0: none
 layout(location = 0) out vec4 light;
-layout(location = 1) out vec4 flakes;  // their light apart, as not all samples ask them
+layout(location = 1) out vec4 flakes;  // their light apart, as not all samples have it
 
 uint mixBits(uint x) {
     x = (x ^ (x >> 16)) * 0x7feb352du;
@@ -242,7 +242,7 @@ void main() {
     }
     // What is not finite would stay for good.
     light = vec4(dot(value, value) < 1e12 ? value : vec3(0.), 1.);
-    flakes = vec4(dot(ofFlakes, ofFlakes) < 1e12 ? ofFlakes : vec3(0.), flakesAsked ? 1. : 0.);
+    flakes = vec4(dot(ofFlakes, ofFlakes) < 1e12 ? ofFlakes : vec3(0.), flakesSampled ? 1. : 0.);
 }`.replaceAll("0x1p-24_", "5.9604644775390625e-8");
 }
 
