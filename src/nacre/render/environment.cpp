@@ -19,6 +19,7 @@ class ConstantRadiance final : public EnvironmentRadiance {
 
     Coefficients coefficients(Vec3f) const override { return {scale_}; }
     float luminance_of(const Coefficients& c) const override { return c[0]; }
+    Coefficients white() const override { return {1}; }
     FloatLanes combined(const Coefficients& c, const FloatLanes* basis) const override {
         return c[0] * basis[spectrum_];
     }
@@ -50,6 +51,7 @@ class StudioRadiance final : public EnvironmentRadiance {
     }
 
     float luminance_of(const Coefficients& c) const override { return c[0]; }
+    Coefficients white() const override { return {1}; }
     FloatLanes combined(const Coefficients& c, const FloatLanes* basis) const override {
         return c[0] * basis[spectrum_];
     }
@@ -103,6 +105,7 @@ class ImageRadiance final : public EnvironmentRadiance {
     float luminance_of(const Coefficients& c) const override {
         return spectra::rec709_luminance(c[0], c[1], c[2]);
     }
+    Coefficients white() const override { return {1, 1, 1}; }
 
  private:
     Vec3f texel(int column, int row) const {
@@ -134,13 +137,13 @@ class ImageRadiance final : public EnvironmentRadiance {
     int first_;
 };
 
-/// Some sixteen points across the smallest box.
-int detail_of(const StudioEnvironment& studio) {
+/// Points around the horizon of which so many lie across the smallest box.
+double points_around(const StudioEnvironment& studio, int across_smallest) {
     double smallest_deg = 90;
     for (const SoftBox& box : studio.boxes.empty() ? studio_soft_boxes() : studio.boxes) {
         smallest_deg = std::min({smallest_deg, box.width_deg, box.height_deg});
     }
-    return static_cast<int>(std::clamp(16 * 360 / smallest_deg, 64.0, 4096.0));
+    return across_smallest * 360 / smallest_deg;
 }
 
 struct Compiler {
@@ -152,7 +155,12 @@ struct Compiler {
     }
     CompiledEnvironment operator()(const StudioEnvironment& e) const {
         const int spectrum = basis.add(unit_illuminant(e.radiance.illuminant));
-        return {std::make_unique<StudioRadiance>(e, spectrum), {}, 256, 128, detail_of(e)};
+        const auto rows = static_cast<int>(std::clamp(points_around(e, 2), 128.0, 1024.0));
+        return {std::make_unique<StudioRadiance>(e, spectrum),
+                {},
+                2 * rows,
+                rows,
+                static_cast<int>(std::clamp(points_around(e, 16), 64.0, 4096.0))};
     }
     CompiledEnvironment operator()(const SkyEnvironment& e) const { return compile_sky(e, basis); }
     CompiledEnvironment operator()(const ImageEnvironment& e) const {
@@ -165,8 +173,9 @@ struct Compiler {
                 {},
                 std::clamp(e.width, 16, 2048),
                 std::clamp(e.height, 16, 1024),
-                // Twice as dense, so that it counts as much as it should.
-                2 * std::clamp(std::max(e.width, 2 * e.height), 16, 2048)};
+                2 * std::clamp(std::max(e.width, 2 * e.height), 16, 2048),
+                e.width,
+                e.height};
     }
 };
 
@@ -299,6 +308,7 @@ class SkyRadiance final : public EnvironmentRadiance {
         return static_cast<float>(scale_ * sky_(direction).luminance_kcd / kUnitKcd);
     }
 
+    Coefficients white() const override { return {static_cast<float>(1 / luminances_[0])}; }
     void set_ground(Coefficients ground) { ground_ = ground; }
 
     /// Spectrum of the sky's chromaticity, scaled to its luminance.

@@ -25,6 +25,8 @@ class EnvironmentRadiance {
     virtual FloatLanes combined(const Coefficients& c, const FloatLanes* basis) const = 0;
     /// Its luminance, the brightness that guides sampling.
     virtual float luminance_of(const Coefficients& c) const = 0;
+    /// Of luminance 1, with light of all wavelengths.
+    virtual Coefficients white() const = 0;
 
     virtual float luminance(Vec3f direction) const { return luminance_of(coefficients(direction)); }
     FloatLanes radiance(Vec3f direction, const FloatLanes* basis) const {
@@ -55,6 +57,8 @@ struct CompiledEnvironment {
     int table_columns = 1, table_rows = 1;  ///< size of the DirectionDistribution that samples it
     /// Points around the horizon among which no detail is lost; 0: there is none, as in a sky.
     int detail = 0;
+    /// Of a latitude-longitude picture, bilinear between the middles of its pixels; else 0.
+    int picture_width = 0, picture_height = 0;
 };
 
 CompiledEnvironment compile_environment(const Environment& description, EmissionBasis& basis);

@@ -39,6 +39,37 @@ struct CellSums {
     }
 };
 
+/// The cell of a direction, among so many across and down.
+std::size_t cell_of(Vec3f direction, int wide, int high) {
+    const Vec2f at = DirectionDistribution::to_square(direction);
+    const int column = std::min(static_cast<int>(at.x * wide), wide - 1);
+    const int row = std::min(static_cast<int>(at.y * high), high - 1);
+    return static_cast<std::size_t>(row) * wide + column;
+}
+
+/// Over points in the rows and columns of a picture, two a pixel each way, or one of large ones: of what is
+/// linear between the middles of pixels their sum is exact, whichever pixels are bright and how near a pole.
+std::vector<CellSums> sums_of_picture(const EnvironmentRadiance& environment, int width, int height,
+                                      int scale) {
+    constexpr int kLarge = 2048;
+    const int wide = kCoarseColumns * scale, high = kCoarseRows * scale;
+    const int columns = std::max(width > kLarge ? width : 2 * width, 2 * wide),
+              rows = std::max(width > kLarge ? height : 2 * height, 2 * high);
+    std::vector<CellSums> cells(static_cast<std::size_t>(wide) * high);
+    for (int row = 0; row < rows; ++row) {
+        const double zenith = std::numbers::pi * (row + 0.5) / rows, sine = std::sin(zenith);
+        for (int column = 0; column < columns; ++column) {
+            const double azimuth = 2 * std::numbers::pi * (column + 0.5) / columns;
+            const Vec3f d = {static_cast<float>(sine * std::cos(azimuth)),
+                             static_cast<float>(sine * std::sin(azimuth)),
+                             static_cast<float>(std::cos(zenith))};
+            const Coefficients c = environment.coefficients(d);
+            cells[cell_of(d, wide, high)].add(c, environment.luminance_of(c), sine);
+        }
+    }
+    return cells;
+}
+
 /// Over points as dense as the environment asks for.
 std::vector<CellSums> sums_of(const EnvironmentRadiance& environment, int detail, int scale) {
     const int wide = kCoarseColumns * scale, high = kCoarseRows * scale;
@@ -72,11 +103,14 @@ std::vector<CellSums> coarser(const std::vector<CellSums>& fine, int scale) {
 
 }  // namespace
 
-EnvironmentCells::EnvironmentCells(const EnvironmentRadiance& environment, int detail) {
+EnvironmentCells::EnvironmentCells(const EnvironmentRadiance& environment, int detail,
+                                   int picture_width, int picture_height) {
     int scale = 1;
     while (scale < kMaxScale && 4 * scale * kCoarseColumns <= detail) scale *= 2;
-    for (std::vector<CellSums> sums = sums_of(environment, detail, scale);;
-         sums = coarser(sums, scale), scale /= 2) {
+    for (std::vector<CellSums> sums =
+             picture_width > 0 ? sums_of_picture(environment, picture_width, picture_height, scale)
+                               : sums_of(environment, detail, scale);
+         ; sums = coarser(sums, scale), scale /= 2) {
         Level level{scale, {}};
         level.cells.reserve(sums.size());
         for (const CellSums& s : sums) {
@@ -100,10 +134,7 @@ const Coefficients* EnvironmentCells::spread(Vec3f direction, float solid_angle)
         ++level;
     }
     const int wide = kCoarseColumns * level->scale, high = kCoarseRows * level->scale;
-    const Vec2f at = DirectionDistribution::to_square(direction);
-    const int column = std::min(static_cast<int>(at.x * wide), wide - 1);
-    const int row = std::min(static_cast<int>(at.y * high), high - 1);
-    const Cell& cell = level->cells[std::size_t(row) * wide + column];
+    const Cell& cell = level->cells[cell_of(direction, wide, high)];
     return cell.has_firefly ? &cell.mean : nullptr;
 }
 

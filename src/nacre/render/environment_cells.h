@@ -12,7 +12,9 @@ namespace nacre::render {
 class EnvironmentCells {
  public:
     /// @param detail  CompiledEnvironment::detail, > 0
-    EnvironmentCells(const EnvironmentRadiance& environment, int detail);
+    /// @param picture_width, picture_height  CompiledEnvironment's
+    EnvironmentCells(const EnvironmentRadiance& environment, int detail, int picture_width,
+                     int picture_height);
 
     /// The mean over the cell about the direction that is the smallest of at least this solid angle,
     /// if somewhere in it is more than kFireflyRatio times its mean; null if it is even enough, or smaller

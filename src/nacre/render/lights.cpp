@@ -52,19 +52,21 @@ std::vector<EnvironmentRadiance::Coefficients> colours_of(const EnvironmentRadia
         }
     }
     // Where no light was found there may be some beside it: of the mean's colour.
+    const Coefficients white = environment.white();
     const auto per_luminance = [&](Coefficients sum) {
         if (!(environment.luminance_of(sum) > 0)) sum = all;
         const float luminance = environment.luminance_of(sum);
-        for (float& k : sum) k = luminance > 0 ? k / luminance : 0;
+        if (!(luminance > 0)) return white;
+        for (std::size_t k = 0; k < sum.size(); ++k) {
+            // A little white, so that no wavelength is left out that a detail may have.
+            constexpr float kMin = 0.05f;
+            sum[k] /= luminance;
+            sum[k] += kMin * (white[k] - sum[k]);
+        }
         return sum;
     };
     const Coefficients mean = per_luminance(all);
-    for (Coefficients& cell : sums) {
-        cell = per_luminance(cell);
-        // A little of the mean's, so that no wavelength is left out that a detail may have.
-        constexpr float kMin = 0.05f;
-        for (std::size_t k = 0; k < cell.size(); ++k) cell[k] += kMin * (mean[k] - cell[k]);
-    }
+    for (Coefficients& cell : sums) cell = per_luminance(cell);
     const bool even = std::all_of(sums.begin(), sums.end(), [&](const Coefficients& cell) {
         constexpr float kRounding = 1e-4f;
         for (std::size_t k = 0; k < cell.size(); ++k) {
@@ -104,7 +106,9 @@ LightSet::LightSet(const std::vector<Light>& lights, const std::optional<Environ
         } else {
             beside_.environment.reset();
         }
-        if (compiled.detail > 0) cells_.emplace(*environment_, compiled.detail);
+        if (compiled.detail > 0)
+            cells_.emplace(*environment_, compiled.detail, compiled.picture_width,
+                           compiled.picture_height);
         sun_ = compiled.sun;
         if (sun_) add(Kind::sun, 0, sun_->luminance * disk_solid_angle(*sun_));
     }

@@ -123,6 +123,67 @@ TEST(LightSet, WhatShinesIsNotTakenForBlack) {
     }
 }
 
+// All light from one small lamp, so small that no point by which colours are guessed meets it.
+TEST(LightSet, SamplesALampInABlackRoom) {
+    for (const double side_deg : {0.4, 1.0}) {
+        for (const double elevation_deg : {10.0, 75.0}) {
+            const StudioEnvironment studio{.horizon = 0,
+                                           .zenith = 0,
+                                           .boxes = {{.azimuth_deg = -60,
+                                                      .elevation_deg = elevation_deg,
+                                                      .width_deg = side_deg,
+                                                      .height_deg = side_deg,
+                                                      .softness = 0}}};
+            EmissionBasis basis;
+            const LightSet lights({}, studio, {}, 100, basis);
+            const auto spectra = basis.at(film_wavelengths(0));
+            int met = 0;
+            for (std::uint32_t i = 0; i < 200; ++i) {
+                const auto u = PathSampler(1, 8, i).draw(0);
+                const auto sample =
+                    lights.sample(kPoint_mm, u[2], {u[0], u[1]}, spectra.data(), true);
+                ASSERT_TRUE(sample);
+                if (!(lane_sum(sample->radiance) > 0)) continue;
+                ++met;
+                const LightDirections eight = lights.directions(
+                    kPoint_mm, splat(u[2]), {splat(u[0]), splat(u[1])}, spectra.data(), true);
+                EXPECT_GT(lane_sum(eight.brightness), 0);
+            }
+            EXPECT_GT(met, 20) << side_deg << " at " << elevation_deg;
+        }
+    }
+}
+
+// Of whatever pixel it comes, also next to a pole.
+TEST(LightSet, APictureSpreadOutGivesAsMuchLight) {
+    constexpr int kWidth = 256, kHeight = 128, kFiner = 4;
+    constexpr float kLobe_sr = 0.02f;
+    for (const int row : {2, 5, 20, 64, 121}) {
+        ImageEnvironment picture{.width = kWidth, .height = kHeight, .rgb = {}};
+        picture.rgb.assign(3 * kWidth * kHeight, 0.125f);
+        const float brightest = 4096;
+        for (int c = 0; c < 3; ++c) picture.rgb[3 * (row * kWidth + 100) + c] = brightest;
+        const Lit lit(picture);
+        const auto spectra = lit.basis.at(film_wavelengths(0));
+        double spread = 0, as_it_is = 0;
+        for (int r = 0; r < kFiner * kHeight; ++r) {
+            const double zenith = std::numbers::pi * (r + 0.5) / (kFiner * kHeight);
+            for (int c = 0; c < kFiner * kWidth; ++c) {
+                const double azimuth = 2 * std::numbers::pi * (c + 0.5) / (kFiner * kWidth);
+                const Vec3f d = {static_cast<float>(std::sin(zenith) * std::cos(azimuth)),
+                                 static_cast<float>(std::sin(zenith) * std::sin(azimuth)),
+                                 static_cast<float>(std::cos(zenith))};
+                spread +=
+                    std::sin(zenith) * lit.lights.escaped_spread(d, kLobe_sr, spectra.data())[3];
+                as_it_is +=
+                    std::sin(zenith) *
+                    lit.lights.escaped(d, spectra.data(), [](const auto&) { return 1.0f; })[3];
+            }
+        }
+        EXPECT_NEAR(spread / as_it_is, 1, 0.02) << row;
+    }
+}
+
 // What is added of it, to whatever one light sends, must not be more than that light has.
 TEST(LightSet, NoLightHasLessThanTheCommonColour) {
     const auto common = [](const std::vector<Light>& lamps, const Environment& environment) {
