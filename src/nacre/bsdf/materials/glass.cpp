@@ -169,12 +169,22 @@ class BoundPane final : public BoundBsdf {
         FloatLanes reflected, through;
     };
     Share share_at(float cosine) const {
-        const float f = optics::fresnel_dielectric(index_, cosine);
-        if (f >= 1) return {splat(1.0f), FloatLanes{}};
         const float inside = optics::refracted_cos(1.0f, index_, cosine);
-        const FloatLanes t = exp_lanes(depth_ * (-1 / inside));
-        const FloatLanes through = ((1 - f) * (1 - f)) * t / (splat(1.0f) - (f * f) * t * t);
-        return {splat(f) + f * t * through, through};
+        const FloatLanes t = inside > 0 ? exp_lanes(depth_ * (-1 / inside)) : FloatLanes{};
+        // Each polarisation is reflected to and fro by itself, then both are averaged.
+        Share share{};
+        for (const float r : {(cosine - index_ * inside) / (cosine + index_ * inside),
+                              (index_ * cosine - inside) / (index_ * cosine + inside)}) {
+            const float f = r * r;
+            if (f >= 1) {
+                share.reflected += 0.5f;
+                continue;
+            }
+            const FloatLanes through = ((1 - f) * (1 - f)) * t / (splat(1.0f) - (f * f) * t * t);
+            share.through += 0.5f * through;
+            share.reflected += 0.5f * (splat(f) + f * t * through);
+        }
+        return share;
     }
 
     float index_;

@@ -217,19 +217,25 @@ TEST(Pane, HasBothFacesReflectionsAndLosesOnlyWhatItAbsorbs) {
     const auto tinted = Pane(optics::Material(1.5), 0.1, 4).bind(kMaterialsAt);
     for (const double theta : kMaterialAngles_deg) {
         const Vec3f wi = direction(theta, 0);
-        const double f = optics::fresnel_dielectric(1.5, double{wi.z});
-        // Without absorption the series of reflections is (1 - f) / (1 + f).
-        EXPECT_NEAR(clear->null_transmission(wi)[5], (1 - f) / (1 + f), 1e-5);
-        EXPECT_NEAR(clear->albedo(wi)[5], 1, 1e-5);
-        // The series, term by term.
+        const auto amplitudes = optics::fresnel(1.0, 1.5, double{wi.z});
         const double t = std::exp(-0.4 / optics::refracted_cos(1.0, 1.5, double{wi.z}));
-        double through = 0, back = f, inside = (1 - f) * t;
-        for (int i = 0; i < 60; ++i) {
-            through += inside * (1 - f);
-            inside *= f * t;
-            back += inside * (1 - f);
-            inside *= f * t;
+        double clear_through = 0, through = 0, back = 0;
+        for (const auto r : {amplitudes.r_s, amplitudes.r_p}) {
+            const double f = std::norm(r);
+            // Without absorption the series of reflections is (1 - f) / (1 + f).
+            clear_through += 0.5 * (1 - f) / (1 + f);
+            // The series, term by term.
+            back += 0.5 * f;
+            double inside = 0.5 * (1 - f) * t;
+            for (int i = 0; i < 60; ++i) {
+                through += inside * (1 - f);
+                inside *= f * t;
+                back += inside * (1 - f);
+                inside *= f * t;
+            }
         }
+        EXPECT_NEAR(clear->null_transmission(wi)[5], clear_through, 1e-5);
+        EXPECT_NEAR(clear->albedo(wi)[5], 1, 1e-5);
         EXPECT_NEAR(tinted->null_transmission(wi)[5], through, 1e-5);
         EXPECT_NEAR(tinted->albedo(wi)[5], through + back, 1e-5);
         const auto white = mean_weight(*tinted, wi, 5, 20'000, 9);
