@@ -116,7 +116,10 @@ Measurement wanted_of(const FitOptions& options, const Paint& standard,
     if (standard.kind() == Kind::measured_colours) of_standard = {};
     instrument.settings.model = model_for({&standard}, of_standard, true);
     ProgressBar bar("measure", options.quiet);
-    return standard.measure(instrument.geometries, instrument.settings, bar.callback()).measurement;
+    Measurement wanted =
+        standard.measure(instrument.geometries, instrument.settings, bar.callback()).measurement;
+    warn_of_coarse_spectra(options, wanted);
+    return wanted;
 }
 
 /// Which constructions of the library can match, and which cannot.

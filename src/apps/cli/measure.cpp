@@ -185,6 +185,7 @@ ExitStatus run(const MeasureOptions& options) {
     instrument.settings.seed = options.seed;
     const auto sample_of = [&](const Paint& paint, Readings readings) {
         say_warnings(options, paint);
+        warn_of_coarse_spectra(options, readings.measurement);
         return Sample{paint, paint.is_measured() ? std::string() : options.model.model,
                       std::move(readings)};
     };

@@ -87,6 +87,10 @@ void warn_of_implausible(const CommonOptions& options, const Paint& paint) {
     for (const std::string& line : paint.implausible_numbers()) warn(options, line);
 }
 
+void warn_of_coarse_spectra(const CommonOptions& options, const Measurement& measurement) {
+    if (const auto line = measure::coarse_spectra_warning(measurement)) warn(options, *line);
+}
+
 Paint open_paint(const CommonOptions& options, const std::string& file) {
     Paint paint = open_as_it_is(options, file);
     if (!options.set.empty()) paint = with_settings(options, paint);

@@ -47,6 +47,10 @@ void require_values(const bsdf::ModelInfo& model);
 /// @throws InputError as warn()
 void warn_of_implausible(const CommonOptions& options, const Paint& paint);
 
+/// Warns of colours that are sums over too few wavelengths (measure::coarse_spectra_warning).
+/// @throws InputError as warn()
+void warn_of_coarse_spectra(const CommonOptions& options, const Measurement& measurement);
+
 /// Warns of what the solver could not resolve in a paint.
 /// @throws InputError as warn()
 void say_warnings(const CommonOptions& options, const Paint& paint);

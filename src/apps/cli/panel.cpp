@@ -176,6 +176,7 @@ ExitStatus run(const PanelOptions& options) {
             page.standard->verdict = measure::judge(difference, *tolerance);
         }
     }
+    warn_of_coarse_spectra(options, page.sample);
     page.title = page.sample.name;
     page.uncertainty = uncertainty_beside(options, paint, page.sample, instrument.settings);
     const Quality quality = quality_of(options);

@@ -1,5 +1,7 @@
 #include "nacre/measure/measurement.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -103,6 +105,27 @@ std::optional<double> flop_index(const Measurement& measurement) {
     const double fall = near->lab[0] - far->lab[0], lightness = face->lab[0];
     if (!(fall >= 0 && lightness > 0)) return std::nullopt;
     return 2.69 * std::pow(fall, 1.11) / std::pow(lightness, 0.86);
+}
+
+std::optional<std::string> coarse_spectra_warning(const Measurement& measurement) {
+    constexpr double kFirst_nm = 420, kLast_nm = 680, kStep_nm = 30;
+    const std::vector<double>& nm = measurement.wavelengths_nm;
+    if (nm.empty()) return std::nullopt;
+    double step = 0;
+    for (std::size_t i = 1; i < nm.size(); ++i) step = std::max(step, nm[i] - nm[i - 1]);
+    if (nm.front() <= kFirst_nm && nm.back() >= kLast_nm && step <= kStep_nm) return std::nullopt;
+    const auto is_of_spectrum = [&](const Reading& reading) {
+        return !reading.reflectance_factor.empty() &&
+               reading.lab ==
+                   coloured({}, nm, reading.reflectance_factor, measurement.conditions).lab;
+    };
+    if (std::ranges::none_of(measurement.readings, is_of_spectrum)) return std::nullopt;
+    return fmt::format(
+        "{}: colours of {} from {:g} to {:g} nm may be far from those of the whole "
+        "spectrum; 400 to 700 nm in steps of 20 nm or less are enough",
+        measurement.name,
+        nm.size() == 1 ? "1 wavelength" : fmt::format("{} wavelengths", nm.size()), nm.front(),
+        nm.back());
 }
 
 ColourTravel colour_travel(const Measurement& measurement, double theta_i_deg) {

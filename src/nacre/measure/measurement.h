@@ -101,4 +101,8 @@ struct ColourTravel {
 /// @param theta_i_deg  the lamp; readings lit from elsewhere, or off the plane, are left out
 ColourTravel colour_travel(const Measurement& measurement, double theta_i_deg = 45);
 
+/// What is to be said of colours that come from spectra which begin above 420 nm, end below 680 nm, or
+/// have steps above 30 nm: sums over so few wavelengths may be wrong by 10 in Delta E and more. None of others.
+std::optional<std::string> coarse_spectra_warning(const Measurement& measurement);
+
 }  // namespace nacre::measure

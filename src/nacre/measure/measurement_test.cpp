@@ -1,5 +1,6 @@
 #include "nacre/measure/measurement.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -174,6 +175,25 @@ TEST(FindReading, IsTheNearestWithinATenthOfADegree) {
     EXPECT_EQ(find_reading(m, in_plane(45, 25.09)), &m.readings[2]);
     EXPECT_EQ(find_reading(m, in_plane(45, 25.11)), nullptr);
     EXPECT_EQ(find_reading(m, off_plane(45, 15, 90)), nullptr);
+}
+
+TEST(CoarseSpectra, AreWarnedOfWhereColoursComeFromThem) {
+    const auto warning = [](std::vector<double> nm, bool colour_of_its_own = false) {
+        Measurement m{"x", {}, nm, {}};
+        m.readings.push_back(
+            coloured(in_plane(45, 15), nm, std::vector<double>(nm.size(), 0.3), {}));
+        if (colour_of_its_own) m.readings[0].lab = {50, 1, 2};
+        return coarse_spectra_warning(m).value_or("");
+    };
+    std::vector<double> usual, coarse;
+    for (double nm = 400; nm <= 700; nm += 10) usual.push_back(nm);
+    for (double nm = 420; nm <= 690; nm += 30) coarse.push_back(nm);
+    EXPECT_EQ(warning(usual), "");
+    EXPECT_EQ(warning(coarse), "");
+    EXPECT_THAT(warning({450, 550, 650}), ::testing::HasSubstr("3 wavelengths from 450 to 650 nm"));
+    EXPECT_THAT(warning({500, 600}), ::testing::HasSubstr("x: colours of 2 wavelengths"));
+    EXPECT_THAT(warning({400, 440, 480, 520, 560, 600, 640, 680}), ::testing::HasSubstr("8 wave"));
+    EXPECT_EQ(warning({450, 550, 650}, true), "");
 }
 
 TEST(FlopIndex, IsEmptyWhereItHasNoValue) {
