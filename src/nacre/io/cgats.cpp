@@ -232,13 +232,9 @@ measure::Conditions conditions_of(const CgatsTable& table, const std::string& fi
             return spectra::parse_observer(number.empty() ? text : std::string(number[0]));
         });
     }
-    if (!illuminant || !observer) {
-        notes.push_back(fmt::format("{}: does not state {}; taken as {} and {} degrees", filename,
-                                    illuminant ? "the observer"
-                                    : observer ? "the illuminant"
-                                               : "illuminant and observer",
-                                    spectra::name(conditions.illuminant),
-                                    spectra::name(conditions.observer)));
+    if (const auto note =
+            note_of_light(filename, illuminant.has_value(), observer.has_value(), conditions)) {
+        notes.push_back(*note);
     }
     return conditions;
 }
@@ -294,7 +290,7 @@ MeasurementFile parse_measurement_cgats(std::string_view text, const std::string
     name_wavelengths(table, filename);
     std::vector<std::string> notes;
     const measure::Conditions conditions = conditions_of(table, filename, defaults, notes);
-    MeasurementTableHints hints{.decimal_commas = true};
+    MeasurementTableHints hints{.decimal_commas = true, .light_is_noted = true};
     if (const auto norm = table.keywords.find("SPECTRAL_NORM"); norm != table.keywords.end()) {
         const auto value = parse_number(norm->second.text);
         if (value != 1.0 && value != 100.0) {

@@ -89,8 +89,8 @@ class CxfReader {
                 filename_, left_out_.empty() ? "" : fmt::format(" ({})", reasons())));
         }
         if (!left_out_.empty()) notes_.push_back(filename_ + ": left out: " + reasons());
-        MeasurementFile file =
-            read_measurement_table(table(), filename_, {.percent = false}, stated_conditions());
+        MeasurementFile file = read_measurement_table(
+            table(), filename_, {.percent = false, .light_is_noted = true}, stated_conditions());
         file.notes.insert(file.notes.begin(), notes_.begin(), notes_.end());
         return file;
     }
@@ -267,13 +267,9 @@ class CxfReader {
             const std::string degrees = observer_->substr(0, observer_->find('_'));
             conditions.observer = read(degrees, "Observer", spectra::parse_observer);
         }
-        if (!illuminant_ || !observer_) {
-            notes_.push_back(fmt::format(
-                "{}: does not state {}; taken as {} and {} degrees", filename_,
-                illuminant_ ? "the observer"
-                : observer_ ? "the illuminant"
-                            : "illuminant and observer",
-                spectra::name(conditions.illuminant), spectra::name(conditions.observer)));
+        if (const auto note = note_of_light(filename_, illuminant_.has_value(),
+                                            observer_.has_value(), conditions)) {
+            notes_.push_back(*note);
         }
         return conditions;
     }

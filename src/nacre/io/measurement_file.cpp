@@ -116,11 +116,14 @@ measure::Reading reading_of(const MeasurementRow& row, const std::vector<double>
         const double error = row.lab ? spectra::delta_e_2000(*row.lab, reading.lab) : 0;
         if (!(error <= kMaxColourError)) {
             fail(row,
-                 fmt::format("L = {}, a = {}, b = {}: differ from those of the spectrum under the "
-                             "stated light, {:.2f}, {:.2f}, {:.2f}, by Delta E 2000 = {:.1f}; "
-                             "reflectance must be a factor, of which 1 is the perfect diffuser",
-                             (*row.lab)[0], (*row.lab)[1], (*row.lab)[2], reading.lab[0],
-                             reading.lab[1], reading.lab[2], error));
+                 fmt::format(
+                     "L = {}, a = {}, b = {}: differ from those of the spectrum under {} and "
+                     "{} degrees, {:.2f}, {:.2f}, {:.2f}, by Delta E 2000 = {:.1f}; illuminant "
+                     "and observer must be those of the colours, and reflectance a factor, "
+                     "of which 1 is the perfect diffuser",
+                     (*row.lab)[0], (*row.lab)[1], (*row.lab)[2],
+                     spectra::name(conditions.illuminant), spectra::name(conditions.observer),
+                     reading.lab[0], reading.lab[1], reading.lab[2], error));
         }
     } else if (!row.lab && !row.xyz) {
         fail(row, "no colour: L, a, b, or X, Y, Z, or a spectrum is needed");
@@ -144,6 +147,17 @@ measure::Reading reading_of(const MeasurementRow& row, const std::vector<double>
 }
 
 }  // namespace
+
+std::optional<std::string> note_of_light(const std::string& filename, bool states_illuminant,
+                                         bool states_observer,
+                                         const measure::Conditions& conditions) {
+    if (states_illuminant && states_observer) return std::nullopt;
+    return fmt::format("{}: does not state {}; taken as {} and {} degrees", filename,
+                       states_illuminant ? "the observer"
+                       : states_observer ? "the illuminant"
+                                         : "illuminant and observer",
+                       spectra::name(conditions.illuminant), spectra::name(conditions.observer));
+}
 
 measure::Measurement assemble_measurement(std::string name, const measure::Conditions& conditions,
                                           std::vector<double> wavelengths_nm,
@@ -324,9 +338,15 @@ MeasurementFile parse_measurement_json(std::string_view text, const std::string&
                                     wavelengths.size()));
     }
     ColourAgreement agreement;
-    MeasurementFile read{
-        {assemble_measurement(file.text_or("sample", ""), read_conditions(file, defaults),
-                              wavelengths, rows, agreement)}};
+    const measure::Conditions conditions = read_conditions(file, defaults);
+    MeasurementFile read{{assemble_measurement(file.text_or("sample", ""), conditions, wavelengths,
+                                               rows, agreement)}};
+    if (std::ranges::any_of(rows, states_colour)) {
+        if (const auto note = note_of_light(filename, file.find("illuminant") != nullptr,
+                                            file.find("observer") != nullptr, conditions)) {
+            read.notes.push_back(*note);
+        }
+    }
     read.contradictions = agreement.contradictions();
     return read;
 }

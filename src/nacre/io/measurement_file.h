@@ -49,6 +49,8 @@ struct MeasurementRow {
     double reflectance_unit = 0;
 };
 
+inline bool states_colour(const MeasurementRow& row) { return row.lab || row.xyz; }
+
 class ColourAgreement;
 struct MeasurementFile;
 
@@ -59,6 +61,13 @@ measure::Measurement assemble_measurement(std::string name, const measure::Condi
                                           std::vector<double> wavelengths_nm,
                                           const std::vector<MeasurementRow>& rows,
                                           ColourAgreement& agreement);
+
+/// What is said of a file that does not state the light of its colours, or the observer.
+/// @param conditions  those that are taken
+/// @return none where it states both
+std::optional<std::string> note_of_light(const std::string& filename, bool states_illuminant,
+                                         bool states_observer,
+                                         const measure::Conditions& conditions);
 
 // The JSON below. Internal to this folder.
 

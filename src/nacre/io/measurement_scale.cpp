@@ -56,22 +56,30 @@ MeasurementScale measurement_scale(const std::vector<MeasurementRow>& rows,
         if (is_far_from_gloss(row)) most_far = std::max(most_far, largest);
         least = std::min(
             least, *std::min_element(row.reflectance_factor.begin(), row.reflectance_factor.end()));
-        const bool has_colour = row.lab || row.xyz;
-        if (has_colour && (!brightest || largest > largest_of(*brightest))) brightest = &row;
+        if (states_colour(row) && (!brightest || largest > largest_of(*brightest)))
+            brightest = &row;
     }
     const std::string percent =
         fmt::format("{}: reflectances of up to {:.4g} are taken as percent", filename, most);
     if (brightest) {
         try {
-            if (colour_error(*brightest, 1, wavelengths_nm, conditions) <= kMaxColourError)
-                return {};
-            if (colour_error(*brightest, 0.01, wavelengths_nm, conditions) <= kMaxColourError) {
+            const auto error_at = [&](double scale) {
+                return colour_error(*brightest, scale, wavelengths_nm, conditions);
+            };
+            const double as_factors = error_at(1), as_percent = error_at(0.01);
+            if (as_factors <= kMaxColourError) return {};
+            if (as_percent <= kMaxColourError) {
                 return {true, percent + ", as the colours beside them say"};
             }
+            // Under another light than theirs the colours agree with neither, but less with the wrong one.
+            constexpr double kFarther = 2;
+            if (kFarther * as_factors < as_percent) return {};
+            if (kFarther * as_percent < as_factors) {
+                return {true, percent + ", to which the colours beside them are nearer"};
+            }
         } catch (const DomainError&) {
-            // Wavelengths that are no grid: whoever reads the rows says so.
+            return {};  // wavelengths that are no grid: whoever reads the rows says so
         }
-        return {};
     }
     if (most_far > kMaxFactorFarFromGloss || most > kMaxFactor) {
         return {true, percent + "; write R400 [1] in the header where they are factors"};

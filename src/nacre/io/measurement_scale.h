@@ -17,8 +17,8 @@ struct MeasurementScale {
     std::string note;  ///< what was decided and why, where it was; else empty
 };
 
-/// Decides by the colours beside the spectra, where there are any: both scales are tried. Else by
-/// the values of the whole file. Far from the gloss, at aspecular angles of 45 deg and more, no paint
+/// Decides by the colours beside the spectra, where there are any: both scales are tried, and the one
+/// that is nearer by far is taken. Else by the values of the whole file. Far from the gloss, at aspecular angles of 45 deg and more, no paint
 /// has a reflectance factor above kMaxFactorFarFromGloss; near it metallic paints reach a few, but not
 /// kMaxFactor. Between the two, values below kMinPercent tell a factor: a dark paint still
 /// reflects more than so many percent.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -145,6 +146,15 @@ class MeasurementTable {
         numbers_.check();
         MeasurementFile file;
         apply_scale(readings, conditions, file.notes);
+        if (!hints_.light_is_noted && std::ranges::any_of(readings, states_colour)) {
+            const auto states = [&](const char* column) {
+                return cell(rows_[1], columns_, column);
+            };
+            if (const auto note = note_of_light(filename_, states("illuminant"), states("observer"),
+                                                conditions)) {
+                file.notes.push_back(*note);
+            }
+        }
         ColourAgreement agreement;
         std::vector<std::vector<MeasurementRow>> by_sample(names.size());
         for (std::size_t i = 0; i < readings.size(); ++i) {
@@ -305,8 +315,16 @@ class MeasurementTable {
         }
         if (found == 0) return std::nullopt;
         if (found < 3) {
+            // As in headings: L, a and b; X, Y and Z.
+            const auto written = [](char name) {
+                constexpr std::string_view kSmall = "abh";
+                return kSmall.find(name) != std::string_view::npos
+                           ? name
+                           : static_cast<char>(std::toupper(name));
+            };
             throw InputError(fmt::format("{}{}, {} and {}{}: one is given without the others",
-                                         place(row[0]), names[0], names[1], names[2],
+                                         place(row[0]), written(*names[0]), written(*names[1]),
+                                         written(*names[2]),
                                          by_angle() ? " at " + columns.geometry : ""));
         }
         return WrittenColour{values, {unit, unit, unit}};
@@ -323,7 +341,8 @@ class MeasurementTable {
     }
 
     void read_colour(const CsvRow& row, const ReadingColumns& columns, MeasurementRow& reading) {
-        reading.states_lab = cell(row, columns.columns, "a") || cell(row, columns.columns, "b");
+        const auto has = [&](const char* name) { return cell(row, columns.columns, name); };
+        reading.states_lab = has("a") || has("b") || !(has("c") || has("h"));
         if (reading.states_lab) {
             if (const auto lab = triple(row, columns, {"l", "a", "b"}, kMeasuredColour)) {
                 reading.lab = lab->values;

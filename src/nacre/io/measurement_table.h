@@ -18,6 +18,7 @@ struct MeasurementTableHints {
     bool decimal_commas = false;       ///< numbers may have one
     std::optional<bool> percent = {};  ///< reflectances are in percent; none: not said
     std::string geometry = {};         ///< of all readings; empty: not said
+    bool light_is_noted = false;       ///< note_of_light() has been
 };
 
 /// @param rows  the first names the columns

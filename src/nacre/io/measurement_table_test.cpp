@@ -57,7 +57,8 @@ TEST(MeasurementTable, ReadsARowASampleWithColumnsByAngle) {
         "Silber;138,5;-0,6;-1,5;12,8;-0,4;-1,2;2.3.2026\nRot;;;;20;50;30;\n;;;;;;;\n",
         "m.csv");
     ASSERT_EQ(file.samples.size(), 2u);
-    EXPECT_THAT(file.notes, IsEmpty());
+    EXPECT_THAT(file.notes, ElementsAre("m.csv: does not state illuminant and observer; taken as "
+                                        "D65 and 10 degrees"));
     const measure::Measurement& silver = file.samples[0];
     EXPECT_EQ(silver.name, "Silber");
     ASSERT_EQ(silver.readings.size(), 2u);
@@ -132,16 +133,17 @@ TEST(MeasurementTable, ASampleAndAFileMayHaveTheMarkInTheirNames) {
 }
 
 TEST(MeasurementTable, RowsThatAreTakenForCommentsAreTold) {
-    const std::string header = "# by hand; with, all; of it;\nname;L 15;a 15;b 15\n";
+    const std::string header =
+        "# by hand; with, all; of it;\nname;L 15;a 15;b 15;illuminant;observer\n";
     const auto notes = [&](const std::string& rows) {
         return parse_measurement_file(header + rows, "m.csv").notes;
     };
-    EXPECT_THAT(notes("A;1;2;3\n# the last one is doubtful\n\"#2\";1;2;3\n"), IsEmpty());
+    EXPECT_THAT(notes("A;1;2;3;A;2\n# the last one is doubtful\n\"#2\";1;2;3;A;2\n"), IsEmpty());
     EXPECT_THAT(
-        notes("#1;1;2;3\nA;1;2;3\n#2;1;2;3\n"),
+        notes("#1;1;2;3;A;2\nA;1;2;3;A;2\n#2;1;2;3;A;2\n"),
         ElementsAre("m.csv:3: begins with # as comments do, and is passed over, as is one line "
                     "more; a name that begins so stands in quotes"));
-    EXPECT_EQ(parse_measurement(header + "\"#2\";1;2;3\n", "m.csv", {}, "#2").name, "#2");
+    EXPECT_EQ(parse_measurement(header + "\"#2\";1;2;3;A;2\n", "m.csv", {}, "#2").name, "#2");
 }
 
 // Factors and percent, told apart by what the file says.
@@ -160,17 +162,46 @@ TEST(MeasurementTable, PercentThatTheFileStatesIsTakenAsSuch) {
 }
 
 TEST(MeasurementTable, PercentIsToldByTheColoursBesideIt) {
-    const std::string header = "geometry,L,a,b,R400,R500,R600,R700\n";
-    const auto percent = parse_measurement_file(header + "45as15,76.07,0,0,50,50,50,50\n", "m.csv");
+    const std::string header =
+        "geometry,illuminant,observer,L,a,b,R400,R500,R600,R700\n45as15,D65,10,";
+    const auto percent = parse_measurement_file(header + "76.07,0,0,50,50,50,50\n", "m.csv");
     EXPECT_NEAR(percent.samples[0].readings[0].reflectance_factor[0], 0.5, 1e-12);
     ASSERT_EQ(percent.notes.size(), 1u);
     EXPECT_THAT(percent.notes[0], AllOf(HasSubstr("m.csv: reflectances of up to 50"),
                                         HasSubstr("percent"), HasSubstr("colours beside")));
     // A mirror-like flake near the gloss: L* of Y = 5000.
-    const auto factor = parse_measurement_file(header + "45as15,411.34,0,0,50,50,50,50\n", "m.csv");
+    const auto factor = parse_measurement_file(header + "411.34,0,0,50,50,50,50\n", "m.csv");
     EXPECT_EQ(factor.samples[0].readings[0].reflectance_factor[0], 50);
     EXPECT_THAT(factor.notes, IsEmpty());
-    EXPECT_THAT(refused_table(header + "45as15,50,0,0,50,50,50,50\n"), HasSubstr("Delta E 2000"));
+    EXPECT_THAT(refused_table(header + "50,0,0,50,50,50,50\n"),
+                AllOf(HasSubstr("under D65 and 10 degrees"), HasSubstr("Delta E 2000")));
+}
+
+// Of another light than is taken, colours agree with neither scale, but with one by far less.
+TEST(MeasurementTable, PercentIsToldByColoursOfAnotherLight) {
+    const auto scale_of = [](const std::string& text) {
+        const auto file = parse_measurement_file(text, "m.csv");
+        return file.samples[0].readings[0].reflectance_factor[0];
+    };
+    const std::string xyz = "geometry,X,Y,Z,R400,R450,R500,R550,R600,R650,R700\n45as45,";
+    const std::string d50 = "43.4,45,37.1,", factors = "0.434,0.45,0.371,";
+    EXPECT_NEAR(scale_of(xyz + d50 + "45,45,45,45,45,45,45\n"), 0.45, 1e-12);
+    EXPECT_NEAR(scale_of(xyz + d50 + ".45,.45,.45,.45,.45,.45,.45\n"), 0.45, 1e-12);
+    // Of which 1 is white, where it should be 100.
+    EXPECT_NEAR(scale_of(xyz + factors + "45,45,45,45,45,45,45\n"), 0.45, 1e-12);
+    EXPECT_NEAR(scale_of(xyz + "1.42,1.5,1.61,1.5,1.5,1.5,1.5,1.5,1.5,1.5\n"), 0.015, 1e-12);
+    const auto file = parse_measurement_file(xyz + d50 + "45,45,45,45,45,45,45\n", "m.csv");
+    EXPECT_THAT(file.notes, ::testing::Contains(HasSubstr("the colours beside them are nearer")));
+    EXPECT_THAT(file.notes,
+                ::testing::Contains(HasSubstr("does not state illuminant and observer")));
+    EXPECT_EQ(file.contradictions.size(), 1u);
+}
+
+TEST(MeasurementTable, AColourInPartSaysWhichColumnsBelongTogether) {
+    EXPECT_THAT(refused_table("geometry,L,a,b\n45as15,50,,\n"),
+                HasSubstr("L, a and b: one is given without the others"));
+    EXPECT_THAT(refused_table("geometry,L,C,h\n45as15,50,10,\n"),
+                HasSubstr("L, C and h: one is given without the others"));
 }
 
 TEST(MeasurementTable, PercentIsToldByTheValuesOfTheWholeFile) {
