@@ -56,13 +56,17 @@ std::vector<CellSums> sums_of_picture(const EnvironmentRadiance& environment, in
     const int columns = std::max(width > kLarge ? width : 2 * width, 2 * wide),
               rows = std::max(width > kLarge ? height : 2 * height, 2 * high);
     std::vector<CellSums> cells(static_cast<std::size_t>(wide) * high);
+    std::vector<Vec2f> level;  // directions along the horizon
+    for (int column = 0; column < columns; ++column) {
+        const double azimuth = 2 * std::numbers::pi * (column + 0.5) / columns;
+        level.push_back(
+            {static_cast<float>(std::cos(azimuth)), static_cast<float>(std::sin(azimuth))});
+    }
     for (int row = 0; row < rows; ++row) {
-        const double zenith = std::numbers::pi * (row + 0.5) / rows, sine = std::sin(zenith);
-        for (int column = 0; column < columns; ++column) {
-            const double azimuth = 2 * std::numbers::pi * (column + 0.5) / columns;
-            const Vec3f d = {static_cast<float>(sine * std::cos(azimuth)),
-                             static_cast<float>(sine * std::sin(azimuth)),
-                             static_cast<float>(std::cos(zenith))};
+        const double zenith = std::numbers::pi * (row + 0.5) / rows;
+        const auto sine = static_cast<float>(std::sin(zenith));
+        for (const Vec2f& along : level) {
+            const Vec3f d = {sine * along.x, sine * along.y, static_cast<float>(std::cos(zenith))};
             const Coefficients c = environment.coefficients(d);
             cells[cell_of(d, wide, high)].add(c, environment.luminance_of(c), sine);
         }
