@@ -102,6 +102,11 @@ nlohmann::json report_of(const render::RenderResult& result, const std::filesyst
             {"msamples_per_s", msamples_per_s(result)}};
 }
 
-std::string percent_text(double fraction) { return fmt::format("{:.2g} %", 100 * fraction); }
+std::string percent_text(double fraction) {
+    const double percent = 100 * fraction;
+    constexpr double kThreeDigits = 99.5;  // from here two digits would need an exponent
+    return percent < kThreeDigits ? fmt::format("{:.2g} %", percent)
+                                  : fmt::format("{:.0f} %", percent);
+}
 
 }  // namespace nacre::cli
