@@ -89,7 +89,8 @@ struct SharePicture : Picture {
     PictureShare share;
 
     explicit SharePicture(PictureShare s)
-        : Picture{render::develop(s.sums, s.options), s.metadata}, share(std::move(s)) {
+        : Picture{render::develop(s.sums, s.options), render::picture_metadata(s)},
+          share(std::move(s)) {
         result.complete = share.share.count == 1;
     }
 };

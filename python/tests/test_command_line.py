@@ -238,6 +238,8 @@ def test_shares_of_a_picture(nacre_program: Run, paints: Path, tmp_path: Path) -
     second = share(2)
     assert (second.shard, second.samples, second.complete) == ((2, 2), 2, False)
     assert second.rgb.shape == (6, 10, 3)
+    scene_sha256 = whole.metadata["nacre:scene_sha256"]
+    assert second.image.metadata["nacre:scene_sha256"] == scene_sha256
     with pytest.raises(nacre.InputError, match="shares are missing: 1/2"):
         nacre.merge([tmp_path / "2.h5"])
     with pytest.raises(nacre.DomainError, match="shard = 3/2"):
@@ -249,17 +251,19 @@ def test_picture(nacre_program: Run, paints: Path, tmp_path: Path) -> None:
     nacre_program(
         *("render", "panel", "--paint", file, "--model", "nacre", "--specimen", "2", "--seed", "5"),
         *("--spp", "2", "--size", "20x12", "--spectral-bins", "3", "--sparkle"),
-        *("-o", tmp_path / "program.exr"),
+        *("--depth", "3", "--footprint", "0.5", "--no-hot-spot", "-o", tmp_path / "program.exr"),
     )
     picture = nacre.render(
         "panel",
         nacre.Paint(file),
-        model=nacre.Model("nacre", specimen=2),
+        model=nacre.Model("nacre", specimen=2, hot_spot=False),
         seed=5,
         spp=2,
         size=(20, 12),
         spectral_bins=3,
         sparkle=True,
+        depth=3,
+        footprint_pixels=0.5,
     )
     expected = nacre.read_image(tmp_path / "program.exr")
     image = picture.image
@@ -267,6 +271,9 @@ def test_picture(nacre_program: Run, paints: Path, tmp_path: Path) -> None:
     for name, pixels in expected.channels.items():
         np.testing.assert_array_equal(image.channels[name], pixels)
     assert image.metadata == expected.metadata
+    assert image.metadata["nacre:depth"] == "3"
+    assert image.metadata["nacre:footprint_pixels"] == "0.5"
+    assert image.metadata["nacre:model_settings:paint"] == "nacre specimen=2 hot_spot=false"
     assert np.asarray(picture).shape == (12, 20, 3)
     assert picture.spectral is not None
     assert picture.spectral.shape == (12, 20, 3)

@@ -52,8 +52,7 @@ struct ScenePaints {
 
 struct Picture {
     render::RenderResult result;
-    /// The scene's name, the model, the specimen where single flakes show, the seed and the
-    /// recipes' SHA-256.
+    /// How it was made, as docs/commands.md lists it.
     std::map<std::string, std::string> metadata;
 
     io::Image image() const;
@@ -83,6 +82,10 @@ class Scene {
     const std::vector<Paint>& paints() const { return paints_; }
     /// Of the recipes, by material.
     const std::map<std::string, std::string>& recipe_sha256() const { return recipe_sha256_; }
+    /// Model::text() of the model that shows it, by material; of measured BRDFs none.
+    const std::map<std::string, std::string>& model_settings() const { return model_settings_; }
+    /// SHA-256 of all that is seen, whatever its files are called: shares of one picture have the same.
+    const std::string& sha256() const { return sha256_; }
     /// The model's name, or "measured" where no recipe is seen.
     const std::string& model_name() const { return model_name_; }
     /// Whether a model shows any of the paints: not where all are measured, or there are none.
@@ -109,13 +112,15 @@ class Scene {
 
  private:
     std::map<std::string, std::string> metadata(const RenderSettings& settings) const;
+    PictureShare share_of(const RenderSettings& settings, const Share& share,
+                          render::RenderSums sums) const;
 
-    std::string name_, model_name_;
-    std::string sha256_;  // of all that is seen
+    std::string name_, model_name_, sha256_;
     bool shows_model_ = false;
     std::optional<std::uint64_t> specimen_;
     std::vector<Paint> paints_;
-    std::map<std::string, std::string> recipe_sha256_;
+    std::map<std::string, std::string> recipe_sha256_, model_settings_;  // by material
+    std::map<std::string, double> turned_deg_;
     std::optional<render::Scene> compiled_;
 };
 

@@ -30,8 +30,9 @@ ExitStatus run_merge(const MergeOptions& options) {
     const std::string clipped = write_picture(options.output, picture.image(), options.tone_map);
     say(options, fmt::format("{}; of {} shares{}", summary(picture.result, options.output),
                              options.shares.size(), clipped));
-    nlohmann::json report = report_of(picture.result, options.output);
+    nlohmann::json report = report_of(picture.result, options.output, options.tone_map);
     report["shares"] = options.shares;
+    report["header"] = picture.metadata;
     report["total_s"] = watch.seconds();
     write_report(options, "merge", std::move(report));
     return ExitStatus::ok;

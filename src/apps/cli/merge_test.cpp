@@ -55,6 +55,23 @@ TEST_F(Program, MergeWritesTheFilesOfOneProcess) {
     EXPECT_THAT(contents(folder_ / "p3.png"), HasSubstr("cICP"));
 }
 
+TEST_F(Program, MergeSaysAsMuchAsOneProcessOfHowItWasMade) {
+    const std::string frame =
+        kMacro + "--depth 3 --footprint 0.5 --no-hot-spot --frames 2:2 --turntable light --step 7 ";
+    ASSERT_EQ(nacre(frame + "-o whole.exr").status, 0);
+    ASSERT_EQ(nacre(frame + "--shard 1/2 -o a.h5").status, 0);
+    ASSERT_EQ(nacre(frame + "--shard 2/2 -o b.h5").status, 0);
+    ASSERT_EQ(nacre("merge a.0002.h5 b.0002.h5 -o merged.exr --exposure 2 --report r.json").status,
+              0);
+    EXPECT_EQ(contents(folder_ / "merged.exr"), contents(folder_ / "whole.0002.exr"));
+    const auto report = nlohmann::json::parse(contents(folder_ / "r.json"));
+    EXPECT_EQ(report["exposure_stops"], 2);
+    EXPECT_EQ(report["gamut"], "rec709");
+    EXPECT_EQ(report["header"]["nacre:depth"], "3");
+    EXPECT_THAT(nacre("info merged.exr").out,
+                AllOf(HasSubstr("nacre:depth: 3"), HasSubstr("nacre:turn_deg: 14")));
+}
+
 TEST_F(Program, MergeRefusesWhatIsNotOnePicture) {
     ASSERT_EQ(nacre(kMacro + "--shard 1/2 -o a.h5").status, 0);
     ASSERT_EQ(nacre(kMacro + "--shard 2/2 --specimen 3 -o other.h5").status, 0);

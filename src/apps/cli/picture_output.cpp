@@ -16,6 +16,10 @@ const std::map<std::string, spectra::Gamut> kGamuts{{"rec709", spectra::Gamut::r
                                                     {"display-p3", spectra::Gamut::display_p3},
                                                     {"rec2020", spectra::Gamut::rec2020}};
 
+const std::string& name_of(spectra::Gamut gamut) {
+    return std::ranges::find(kGamuts, gamut, [](const auto& named) { return named.second; })->first;
+}
+
 double msamples_per_s(const render::RenderResult& result) {
     return static_cast<double>(result.samples) * result.width * result.height / result.seconds /
            1e6;
@@ -44,13 +48,9 @@ std::string write_picture(const std::filesystem::path& exr, io::Image image,
     io::write_exr_and_png(exr, std::move(image), tone_map);
     constexpr double kWorthSaying = 0.01;
     if (outside < kWorthSaying) return {};
-    for (const auto& [name, gamut] : kGamuts) {
-        if (gamut != tone_map.gamut) continue;
-        return fmt::format("; {} of the pixels have colours that the PNG's display ({}) does not{}",
-                           percent_text(outside), name,
-                           gamut == spectra::Gamut::rec2020 ? "" : ": --gamut has wider ones");
-    }
-    return {};
+    return fmt::format("; {} of the pixels have colours that the PNG's display ({}) does not{}",
+                       percent_text(outside), name_of(tone_map.gamut),
+                       tone_map.gamut == spectra::Gamut::rec2020 ? "" : ": --gamut has wider ones");
 }
 
 void add_picture_output(CLI::App& command, CommonOptions& options) {
@@ -91,17 +91,25 @@ std::string summary(const render::RenderResult& result, const std::filesystem::p
                        duration_text(result.seconds), msamples_per_s(result));
 }
 
-nlohmann::json report_of(const render::RenderResult& result, const std::filesystem::path& exr) {
+nlohmann::json report_of(const render::RenderResult& result, const std::filesystem::path& exr,
+                         const ToneMap& tone_map) {
     return {{"output", {exr.string(), io::png_beside(exr).string()}},
             {"width", result.width},
             {"height", result.height},
             {"samples_per_pixel", result.samples},
             {"noise", result.noise ? nlohmann::json(*result.noise) : nullptr},
+            {"exposure_stops", tone_map.exposure_stops},
+            {"gamut", name_of(tone_map.gamut)},
             {"complete", result.complete},
             {"render_s", result.seconds},
             {"msamples_per_s", msamples_per_s(result)}};
 }
 
-std::string percent_text(double fraction) { return fmt::format("{:.2g} %", 100 * fraction); }
+std::string percent_text(double fraction) {
+    const double percent = 100 * fraction;
+    constexpr double kThreeDigits = 99.5;  // from here two digits would need an exponent
+    return percent < kThreeDigits ? fmt::format("{:.2g} %", percent)
+                                  : fmt::format("{:.0f} %", percent);
+}
 
 }  // namespace nacre::cli

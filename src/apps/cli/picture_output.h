@@ -31,8 +31,10 @@ std::string write_picture(const std::filesystem::path& exr, io::Image image,
                           const ToneMap& tone_map);
 
 /// What both report of a picture.
-nlohmann::json report_of(const render::RenderResult& result, const std::filesystem::path& exr);
+nlohmann::json report_of(const render::RenderResult& result, const std::filesystem::path& exr,
+                         const ToneMap& tone_map);
 
+/// Of two digits, or more where it is 100 % and more: "0.31 %", "12 %", "114 %".
 std::string percent_text(double fraction);
 
 }  // namespace nacre::cli

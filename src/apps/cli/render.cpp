@@ -123,9 +123,13 @@ int samples_for(const RenderCommandOptions& options, const Scene& scene) {
 void add_scene_report(nlohmann::json& report, const RenderCommandOptions& options,
                       const Scene& scene, const render::RenderOptions& how) {
     report["scene"] = options.scene;
+    report["scene_sha256"] = scene.sha256();
     report["model"] = scene.model_name();
+    report["model_settings"] = scene.model_settings();
     report["recipe_sha256"] = scene.recipe_sha256();
     report["seed"] = how.seed;
+    report["depth"] = how.max_depth;
+    report["footprint_pixels"] = how.footprint_pixels;
     report["specimen"] = scene.specimen() ? nlohmann::json(*scene.specimen()) : nullptr;
 }
 
@@ -184,7 +188,7 @@ nlohmann::json render_picture_to(const RenderCommandOptions& options, const Scen
                         "--spp allows",
                         percent_text(*result.noise), percent_text(*options.noise), result.samples));
     }
-    nlohmann::json report = report_of(result, exr);
+    nlohmann::json report = report_of(result, exr, options.tone_map);
     add_scene_report(report, options, scene, how);
     return report;
 }
@@ -231,14 +235,15 @@ ExitStatus render_frames(RenderCommandOptions options, const Painted& start,
         throw_if_stopped();
         check_files(frame_files(options, frame));
         Painted turned = start;
-        turned.description = render::turned(std::move(turned.description), turning,
-                                            step_deg * static_cast<double>(frame));
+        const double turn_deg = step_deg * static_cast<double>(frame);
+        turned.description = render::turned(std::move(turned.description), turning, turn_deg);
         const bool is_first = !scene;
         scene = scene_of(options, std::move(turned));
         if (is_first) check_scene(options, *scene);
         // Noise that stays while the paint moves would look like dirt on the lens.
         options.render.seed = options.seed + static_cast<std::uint64_t>(frame);
         all.push_back(render_to(options, *scene, frame_file(options.output, frame)));
+        all.back()["turn_deg"] = turn_deg;
         complete = all.back()["complete"];
     }
     if (complete && !options.video.path.empty()) {

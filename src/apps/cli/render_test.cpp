@@ -12,7 +12,9 @@ namespace nacre::cli::testing {
 
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST_F(Program, RenderTellsItsNoise) {
     const std::string render =
@@ -54,6 +56,40 @@ TEST_F(Program, RenderTurnsThePaintFromFrameToFrame) {
     EXPECT_THAT(nacre(render + "-o x.exr --turntable light").err, HasSubstr("belong to --frames"));
     EXPECT_THAT(nacre(render + "-o x.exr --frames 3:1 --turntable light").err,
                 HasSubstr("must be FIRST:LAST"));
+}
+
+TEST_F(Program, RenderSaysHowAPictureWasMade) {
+    const std::string render = "render macro --paint gray.toml --size 16x16 --spp 1 -q ";
+    ASSERT_EQ(nacre(render + "-o usual.exr --report usual.json").status, 0);
+    ASSERT_EQ(nacre(render + "--depth 3 --footprint 0.5 --no-hot-spot --frames 1:1 --turntable "
+                             "shape --step 30 --exposure -1.5 --gamut display-p3 -o turn.exr "
+                             "--report turn.json")
+                  .status,
+              0);
+    EXPECT_THAT(nacre("info usual.exr").out,
+                AllOf(HasSubstr("nacre:depth: 8\n"), HasSubstr("nacre:footprint_pixels: 0\n"),
+                      HasSubstr("nacre:model_settings:paint: nacre specimen=0 hot_spot=true\n"),
+                      HasSubstr("nacre:scene_sha256: "), Not(HasSubstr("nacre:turn"))));
+    EXPECT_THAT(nacre("info turn.0001.png").out,
+                AllOf(HasSubstr("nacre:depth: 3\n"), HasSubstr("nacre:footprint_pixels: 0.5\n"),
+                      HasSubstr("nacre:model_settings:paint: nacre specimen=0 hot_spot=false\n"),
+                      HasSubstr("nacre:turntable: shape\n"), HasSubstr("nacre:turn_deg: 30\n")));
+
+    const auto usual = nlohmann::json::parse(contents(folder_ / "usual.json"));
+    EXPECT_EQ(usual["depth"], 8);
+    EXPECT_EQ(usual["footprint_pixels"], 0);
+    EXPECT_EQ(usual["model_settings"]["paint"], "nacre specimen=0 hot_spot=true");
+    EXPECT_EQ(usual["exposure_stops"], 0);
+    EXPECT_EQ(usual["gamut"], "rec709");
+    EXPECT_THAT(nacre("info usual.exr").out,
+                HasSubstr("nacre:scene_sha256: " + usual["scene_sha256"].get<std::string>()));
+    const auto turn = nlohmann::json::parse(contents(folder_ / "turn.json"))["frames"][0];
+    EXPECT_EQ(turn["depth"], 3);
+    EXPECT_EQ(turn["footprint_pixels"], 0.5);
+    EXPECT_EQ(turn["turn_deg"], 30);
+    EXPECT_EQ(turn["exposure_stops"], -1.5);
+    EXPECT_EQ(turn["gamut"], "display-p3");
+    EXPECT_NE(turn["scene_sha256"], usual["scene_sha256"]);
 }
 
 TEST_F(Program, RenderSaysWhereThereIsNothingToSee) {

@@ -295,7 +295,7 @@ TEST_F(Trust, EveryTableKeepsNamesFromBeingFormulas) {
             std::string cell = outcome.out.substr(at, end - at);
             if (cell.starts_with('"')) cell.erase(0, 1);
             const bool formula = !cell.empty() && std::string("=+-@").find(cell[0]) < 4;
-            EXPECT_TRUE(!formula || parse_number(cell)) << arguments << ": " << cell;
+            EXPECT_TRUE(!formula || nacre::parse_number(cell)) << arguments << ": " << cell;
         }
     }
 }

@@ -307,6 +307,9 @@ struct SceneDescription {
     std::vector<std::string> notes = {};
     /// The files that its recipes may name in their turn: as a scene's file could.
     References references = References::anywhere({});
+    /// By how much turned() turned what, by its name, for people: shapes, camera and lights stand
+    /// as they do then.
+    std::map<std::string, double> turned_deg = {};
 
     friend bool operator==(const SceneDescription&, const SceneDescription&) = default;
 };

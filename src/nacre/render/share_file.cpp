@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <concepts>
 #include <cstring>
@@ -205,7 +206,18 @@ std::vector<std::pair<std::string, std::string>> identity_of(const PictureShare&
     for (const auto& [key, value] : share.metadata) {
         if (key != "nacre:scene") all.emplace_back(key, value);  // a file may have several names
     }
+    // They repeat the specimen among others.
+    std::ranges::stable_partition(
+        all, [](const auto& one) { return !one.first.starts_with("nacre:model_settings:"); });
     all.emplace_back("scene_sha256", share.scene_sha256);
+    return all;
+}
+
+std::map<std::string, std::string> picture_metadata(const PictureShare& share) {
+    std::map<std::string, std::string> all = share.metadata;
+    all["nacre:depth"] = fmt::format("{}", share.options.max_depth);
+    all["nacre:footprint_pixels"] = fmt::format("{}", share.options.footprint_pixels);
+    all["nacre:scene_sha256"] = share.scene_sha256;
     return all;
 }
 

@@ -33,7 +33,7 @@ struct PictureShare {
     RenderOptions options;  ///< of the whole picture
     Share share;
     RenderSums sums;
-    /// What the picture's file will say about it.
+    /// What the picture's file will say besides: picture_metadata().
     std::map<std::string, std::string> metadata;
     /// Of all that the picture shows: shares with another one are of another picture.
     std::string scene_sha256;
@@ -43,6 +43,9 @@ struct PictureShare {
 
 /// What shares of one picture have in common, as text by name, in the order of importance.
 std::vector<std::pair<std::string, std::string>> identity_of(const PictureShare& share);
+
+/// What the file of the picture that it is a share of says about how that was made.
+std::map<std::string, std::string> picture_metadata(const PictureShare& share);
 
 std::string share_bytes(const PictureShare& share);
 /// Writes it, whole or not at all.

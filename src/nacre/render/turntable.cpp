@@ -1,6 +1,7 @@
 #include "nacre/render/turntable.h"
 
 #include <cmath>
+#include <map>
 #include <variant>
 
 #include "nacre/core/angles.h"
@@ -9,6 +10,9 @@
 namespace nacre::render {
 
 namespace {
+
+const std::map<Turning, std::string> kNames{
+    {Turning::shape, "shape"}, {Turning::camera, "camera"}, {Turning::light, "light"}};
 
 class Turn {
  public:
@@ -69,9 +73,9 @@ class Turn {
 }  // namespace
 
 Turning turning_called(const std::string& name) {
-    if (name == "shape") return Turning::shape;
-    if (name == "camera") return Turning::camera;
-    if (name == "light") return Turning::light;
+    for (const auto& [turning, called] : kNames) {
+        if (called == name) return turning;
+    }
     throw DomainError("turntable = " + name + ": must be one of shape, camera, light");
 }
 
@@ -106,6 +110,7 @@ SceneDescription turned(SceneDescription scene, Turning what, double angle_deg) 
                               : "the scene has no light that could turn: no lights, and an "
                                 "environment that is the same in all directions");
     }
+    scene.turned_deg[kNames.at(what)] += angle_deg;
     return scene;
 }
 

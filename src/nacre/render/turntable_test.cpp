@@ -13,8 +13,10 @@
 namespace nacre::render {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::FloatNear;
 using ::testing::HasSubstr;
+using ::testing::Pair;
 using ::testing::ThrowsMessage;
 
 constexpr float kClose_mm = 1e-3f;
@@ -32,6 +34,7 @@ TEST(Turntable, TurnsAboutTheVerticalThroughTheTarget) {
     EXPECT_EQ(quarter.shapes[0], scene.shapes[0]);  // the backdrop
     EXPECT_EQ(quarter.camera, scene.camera);
     EXPECT_EQ(quarter.environment, scene.environment);
+    EXPECT_THAT(quarter.turned_deg, ElementsAre(Pair("shape", 90)));
 }
 
 TEST(Turntable, AWholeTurnLeadsBack) {

@@ -63,7 +63,7 @@ Picture merge_shares(std::span<const fs::path> files) {
         throw InputError(fmt::format("{}: of its picture, shares are missing: {}",
                                      files[0].string(), fmt::join(missing, ", ")));
     }
-    return {render::develop(std::move(whole.sums), whole.options), std::move(whole.metadata)};
+    return {render::develop(std::move(whole.sums), whole.options), render::picture_metadata(whole)};
 }
 
 }  // namespace nacre

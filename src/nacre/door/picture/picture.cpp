@@ -1,5 +1,7 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <ranges>
 #include <variant>
 
 #include "nacre/core/file.h"
@@ -33,9 +35,10 @@ class Painter {
     /// Of all recipes.
     const Model& model() const { return model_; }
 
-    std::shared_ptr<const bsdf::Bsdf> look(const render::SceneDescription& scene,
-                                           const std::string& material, std::size_t paint) {
-        if (opened_[paint].paint.kind() == Kind::measured_brdf) return look(paint, std::nullopt);
+    /// The model that shows a paint on the shapes of a material; none if it is measured.
+    std::optional<Model> model_on(const render::SceneDescription& scene,
+                                  const std::string& material, std::size_t paint) const {
+        if (opened_[paint].paint.kind() == Kind::measured_brdf) return std::nullopt;
         const bool holds_table = opened_[paint].paint.kind() == Kind::brdf_table;
         Model model = holds_table && !paints_.model ? models::default_model() : model_;
         try {
@@ -43,7 +46,16 @@ class Painter {
         } catch (const DomainError& error) {
             throw SettingError("model", error.what(), std::string(model.info().name));
         }
-        return look(paint, model);
+        return model;
+    }
+
+    std::shared_ptr<const bsdf::Bsdf> look(std::size_t paint, const std::optional<Model>& model) {
+        for (const Look& known : opened_[paint].looks) {
+            if (!known.model || *known.model == *model) return known.surface;
+        }
+        auto surface = opened_[paint].paint.appearance(model, {}, progress_);
+        opened_[paint].looks.push_back({model, surface});
+        return surface;
     }
 
     /// Position among the paints of one that a material names; the slot's without a name.
@@ -79,15 +91,6 @@ class Painter {
         Paint paint;
         std::vector<Look> looks;
     };
-
-    std::shared_ptr<const bsdf::Bsdf> look(std::size_t paint, const std::optional<Model>& model) {
-        for (const Look& known : opened_[paint].looks) {
-            if (!known.model || *known.model == *model) return known.surface;
-        }
-        auto surface = opened_[paint].paint.appearance(model, {}, progress_);
-        opened_[paint].looks.push_back({model, surface});
-        return surface;
-    }
 
     const ScenePaints& paints_;
     Model model_;
@@ -197,7 +200,9 @@ Scene::Scene(render::SceneDescription description, const ScenePaints& paints,
         std::size_t found = 0;
         try {
             found = painter.find(wanted->recipe, name, description.references);
-            table[name] = painter.look(description, name, found);
+            const std::optional<Model> model = painter.model_on(description, name, found);
+            table[name] = painter.look(found, model);
+            if (model) model_settings_[name] = model->text();
         } catch (const InputError& error) {
             // The paint of the slot is not of the scene.
             if (wanted->recipe.empty()) throw;
@@ -230,6 +235,7 @@ Scene::Scene(render::SceneDescription description, const ScenePaints& paints,
     model_name_ = shows_model_ || table.empty() ? painter.model().info().name : "measured";
     if (shows_model_) specimen_ = painter.model().specimen();
     compiled_.emplace(description, table);
+    turned_deg_ = description.turned_deg;
     sha256_ = sha256_of(std::move(description), shown);
 }
 
@@ -239,17 +245,27 @@ std::map<std::string, std::string> Scene::metadata(const RenderSettings& setting
                                               {"nacre:seed", fmt::format("{}", settings.seed)}};
     if (specimen_) all["nacre:specimen"] = fmt::format("{}", *specimen_);
     for (const auto& [name, hash] : recipe_sha256_) all["nacre:recipe_sha256:" + name] = hash;
+    for (const auto& [name, text] : model_settings_) all["nacre:model_settings:" + name] = text;
+    if (!turned_deg_.empty()) {
+        all["nacre:turntable"] = fmt::format("{}", fmt::join(std::views::keys(turned_deg_), ", "));
+        all["nacre:turn_deg"] = fmt::format("{}", fmt::join(std::views::values(turned_deg_), ", "));
+    }
     return all;
 }
 
+PictureShare Scene::share_of(const RenderSettings& settings, const Share& share,
+                             render::RenderSums sums) const {
+    return {settings, share, std::move(sums), metadata(settings), sha256_};
+}
+
 Picture Scene::render(const RenderSettings& settings, const Progress& progress) const {
-    return {render::render(*compiled_, settings, progress), metadata(settings)};
+    return {render::render(*compiled_, settings, progress),
+            render::picture_metadata(share_of(settings, {}, {}))};
 }
 
 PictureShare Scene::render_share(const RenderSettings& settings, const Share& share,
                                  const Progress& progress) const {
-    return {settings, share, render::render_share(*compiled_, settings, share, progress),
-            metadata(settings), sha256_};
+    return share_of(settings, share, render::render_share(*compiled_, settings, share, progress));
 }
 
 std::optional<PictureShare> Scene::find_share(const fs::path& file, const RenderSettings& settings,
@@ -257,7 +273,7 @@ std::optional<PictureShare> Scene::find_share(const fs::path& file, const Render
     if (!fs::is_regular_file(file)) return std::nullopt;
     try {
         PictureShare found = read_share(file);
-        const PictureShare wanted{settings, share, {}, metadata(settings), sha256_};
+        const PictureShare wanted = share_of(settings, share, {});
         const bool same =
             found.share == share && render::identity_of(found) == render::identity_of(wanted);
         return same ? std::optional(std::move(found)) : std::nullopt;

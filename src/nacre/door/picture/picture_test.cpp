@@ -5,6 +5,7 @@
 
 #include "nacre/core/file.h"
 #include "nacre/render.h"
+#include "nacre/render/turntable.h"
 #include "nacre/testing/errors.h"
 #include "nacre/testing/files.h"
 #include "nacre/testing/fit.h"
@@ -52,6 +53,46 @@ TEST(Picture, OfAScenePaintedThroughTheDoor) {
     RenderSettings two_passes = kTiny;
     two_passes.samples_per_pixel = 2;
     EXPECT_FALSE(scene.render(two_passes, [](double) { return false; }).result.complete);
+}
+
+TEST(Picture, SaysHowItWasMade) {
+    const Paint paint(fit::testing::pearl());
+    const auto said = [&](const ScenePaints& paints, const RenderSettings& settings,
+                          const render::SceneDescription& description) {
+        return Scene(description, paints).render(settings).metadata;
+    };
+    const render::SceneDescription panel = find_scene("panel");
+    const auto usual = said({.slot = paint}, kTiny, panel);
+    EXPECT_EQ(usual.at("nacre:depth"), "8");
+    EXPECT_EQ(usual.at("nacre:footprint_pixels"), "0");
+    EXPECT_EQ(usual.at("nacre:model_settings:paint"), "nacre specimen=0 hot_spot=true");
+    EXPECT_FALSE(usual.contains("nacre:turntable"));
+    // The hash is that of its shares.
+    EXPECT_EQ(usual.at("nacre:scene_sha256"),
+              Scene(panel, {.slot = paint}).render_share(kTiny, {}).scene_sha256);
+    RenderSettings others = kTiny;
+    others.max_depth = 3;
+    others.footprint_pixels = 0.5;
+    const auto other =
+        said({.slot = paint, .model = NacreModel{.hot_spot = false}}, others,
+             render::turned(render::turned(render::turned(panel, render::Turning::shape, 12.5),
+                                           render::Turning::camera, -4),
+                            render::Turning::shape, 30));
+    EXPECT_EQ(other.at("nacre:depth"), "3");
+    EXPECT_EQ(other.at("nacre:footprint_pixels"), "0.5");
+    EXPECT_EQ(other.at("nacre:model_settings:paint"), "nacre specimen=0 hot_spot=false");
+    EXPECT_EQ(other.at("nacre:turntable"), "camera, shape");
+    EXPECT_EQ(other.at("nacre:turn_deg"), "-4, 42.5");
+    EXPECT_NE(other.at("nacre:scene_sha256"), usual.at("nacre:scene_sha256"));
+    // What the model was told of the shapes.
+    EXPECT_THAT(said({.slot = paint, .model = VolumeModel{}}, kTiny, find_scene("sphere"))
+                    .at("nacre:model_settings:paint"),
+                HasSubstr("volume radius_mm=50 tracking="));
+    render::SceneDescription small = panel;
+    for (render::Shape& shape : small.shapes) shape.geometry = render::FlatPanel{5, 4};
+    EXPECT_EQ(said({.slot = paint, .model = ExplicitFlakesModel{}}, kTiny, small)
+                  .at("nacre:model_settings:paint"),
+              "nacre flakes=explicit tile_width_mm=5 tile_height_mm=4 specimen=0 diffraction=true");
 }
 
 TEST(Picture, ModelsThatCannotShowWhereACoatVariesRefuseIt) {

@@ -381,8 +381,9 @@ constinit const bsdf::ModelInfo ExplicitFlakesModel::info = {
     .alternative = &kInPlaceOfHashedFlakes};
 
 std::string ExplicitFlakesModel::text() const {
-    return fmt::format("tile_width_mm={} tile_height_mm={} specimen={} diffraction={}",
-                       tile_width_mm, tile_height_mm, specimen, diffraction);
+    return fmt::format("flakes={} tile_width_mm={} tile_height_mm={} specimen={} diffraction={}",
+                       kInPlaceOfHashedFlakes.value, tile_width_mm, tile_height_mm, specimen,
+                       diffraction);
 }
 
 std::shared_ptr<const bsdf::Bsdf> ExplicitFlakesModel::make(const bsdf::ModelInput& input,
