@@ -13,6 +13,8 @@ namespace nacre {
 
 namespace {
 
+constexpr const char* kCommasNeed = "; decimal commas need semicolons or tabs between the cells";
+
 /// Whether spreadsheets take a cell for a formula.
 bool looks_like_formula(std::string_view text) {
     constexpr std::string_view kStarts = "=+-@\t\r";
@@ -171,8 +173,11 @@ std::optional<double> CsvNumbers::parse(const CsvCell& cell) {
 
 std::string CsvNumbers::advice(const CsvCell& cell) const {
     if (cell.text.find(',') == std::string::npos) return "";
-    return commas_ ? "; thousands are written without a mark"
-                   : "; decimal commas need semicolons or tabs between the cells";
+    return commas_ ? "; thousands are written without a mark" : kCommasNeed;
+}
+
+std::string CsvNumbers::advice(const CsvRow& row, std::size_t columns) const {
+    return !commas_ && row.size() > columns ? kCommasNeed : "";
 }
 
 std::string csv_cell(std::string_view text) {

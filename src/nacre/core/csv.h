@@ -51,6 +51,8 @@ class CsvNumbers {
 
     /// What helps where a cell that should be a number is none: "; ...", or nothing.
     std::string advice(const CsvCell& cell) const;
+    /// The same where a row has another number of cells than the header.
+    std::string advice(const CsvRow& row, std::size_t columns) const;
 
  private:
     std::string filename_;

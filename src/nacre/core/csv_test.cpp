@@ -71,6 +71,9 @@ TEST(CsvNumbers, HaveOneDecimalMarkInAFile) {
     EXPECT_EQ(english.parse({"0,04", 2, 5}), std::nullopt);
     EXPECT_THAT(english.advice({"0,04", 2, 5}), HasSubstr("need semicolons or tabs"));
     EXPECT_EQ(english.advice({"much", 2, 5}), "");
+    EXPECT_THAT(english.advice(CsvRow(3), 2), HasSubstr("need semicolons or tabs"));
+    EXPECT_EQ(english.advice(CsvRow(1), 2), "");
+    EXPECT_EQ(german.advice(CsvRow(3), 2), "");
 }
 
 TEST(Csv, BytesThatAreNoTextAreWrittenAsEscapes) {

@@ -62,8 +62,9 @@ class DrawdownTable {
         }
         for (std::size_t i = 1; i < rows_.size(); ++i) {
             if (rows_[i].size() != rows_[0].size()) {
-                throw InputError(fmt::format("{}has {} cells; the header has {}",
-                                             place(rows_[i][0]), rows_[i].size(), rows_[0].size()));
+                throw InputError(fmt::format("{}has {} cells; the header has {}{}",
+                                             place(rows_[i][0]), rows_[i].size(), rows_[0].size(),
+                                             numbers_.advice(rows_[i], rows_[0].size())));
             }
             drawdown.readings.push_back(reading(rows_[i]));
         }

@@ -46,6 +46,9 @@ TEST(DrawdownFile, TakesDecimalCommasBetweenSemicolons) {
         drawdown_refusal("ground,thickness_um,volume_fraction,400\nblack,25,0.03,\"0,04\"\n"),
         HasSubstr("blue.csv:2:15: R400 = 0,04: must be a number in [0, 1.2]; decimal commas need "
                   "semicolons or tabs between the cells"));
+    EXPECT_THAT(
+        drawdown_refusal("ground,thickness_um,volume_fraction,400\nblack,25,0,03,0.04\n"),
+        HasSubstr("blue.csv:2:1: has 5 cells; the header has 4; decimal commas need semicolons"));
 }
 
 TEST(DrawdownFile, MassBecomesVolumeByTheDensities) {

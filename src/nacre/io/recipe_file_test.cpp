@@ -414,7 +414,8 @@ TEST(RecipeFile, ReadsSpectraFromFiles) {
                   "45, must be a number in [0, 1]"));
     EXPECT_THAT(refusal(head + "500,0.2\n400,0.2\n"),
                 HasSubstr("bad.csv:3: wavelength_nm must be above"));
-    EXPECT_THAT(refusal(head + "500,0.2,1\n"), HasSubstr("must have two cells"));
+    EXPECT_THAT(refusal(head + "500,0.2,1\n"),
+                HasSubstr("must have two cells; decimal commas need semicolons or tabs"));
     EXPECT_THAT(refusal(head + "secret,0.2\n"), Not(HasSubstr("secret")));
     folder.write("german.csv", "wavelength_nm;R\n400;0,2\n700,5;0,4\n");
     EXPECT_EQ(recipe_of("german.csv").substrate_reflectance,

@@ -325,7 +325,9 @@ spectra::Spectrum read_spectrum_file(const TableReader& table, std::string_view 
     };
     std::vector<double> wavelengths, values;
     for (std::size_t i = 1; i < rows.size(); ++i) {
-        if (rows[i].size() != 2) refuse(rows[i], "must have two cells");
+        if (rows[i].size() != 2) {
+            refuse(rows[i], "must have two cells" + numbers.advice(rows[i], 2));
+        }
         const auto wavelength = number(rows[i][0]), value = number(rows[i][1]);
         if (!wavelength || !paint::limits::kWavelength.contains(*wavelength)) {
             refuse(rows[i], "wavelength_nm must be a number in " +

@@ -198,8 +198,8 @@ Material parse_material_csv(std::string_view text, const std::string& name) {
             continue;
         }
         if (fields.size() != columns) {
-            throw InputError(
-                fmt::format("{}: has {} fields; the header has {}", place, fields.size(), columns));
+            throw InputError(fmt::format("{}: has {} fields; the header has {}{}", place,
+                                         fields.size(), columns, numbers.advice(fields, columns)));
         }
         const double wavelength_nm = require_number(numbers, fields[0], "wavelength_nm", place);
         const double n = require_number(numbers, fields[1], "n", place);

@@ -45,6 +45,9 @@ TEST(MaterialCsv, TakesDecimalCommasBetweenSemicolons) {
                 HasSubstr("file:3:5: 1,5 has a decimal comma, but 1.6 in line 4 has a point"));
     EXPECT_THAT(csv_error("wavelength_nm,n,k\n400,\"1,5\",0\n"),
                 HasSubstr("file:2: n is not a finite number; decimal commas need semicolons"));
+    EXPECT_THAT(
+        csv_error("wavelength_nm,n\n400,1,5\n"),
+        HasSubstr("file:2: has 3 fields; the header has 2; decimal commas need semicolons"));
 }
 
 TEST(MaterialCsv, ErrorsNameFileLineAndValue) {
