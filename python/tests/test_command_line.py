@@ -114,17 +114,17 @@ def test_directions_are_the_angles(paints: Path) -> None:
 def test_film(nacre_program: Run) -> None:
     process = nacre_program(
         *("film", "--ambient", "1.5", "--layer", "TiO2_anatase:80", "--layer", "3.18+3.33i:20"),
-        *("--substrate", "mica", "--angle", "0,30,60", "--polarization", "p"),
+        *("--substrate", "mica", "--angle", "0,30,60,90", "--polarization", "p"),
     )
     film = nacre.film(
         [("TiO2_anatase", 80), (3.18 + 3.33j, 20)],
         ambient=1.5,
         substrate="mica",
-        angles_deg=[0, 30, 60],
+        angles_deg=[0, 30, 60, 90],
         polarization="p",
     )
     table = rows(process.stdout)
-    assert film.R.shape == film.T.shape == (3, 31)
+    assert film.R.shape == film.T.shape == (4, 31)
     assert [f"{v:.12g}" for v in film.R.T.ravel()] == [row["R"] for row in table]
     assert [f"{v:.12g}" for v in film.T.T.ravel()] == [row["T"] for row in table]
 

@@ -18,7 +18,7 @@ namespace {
 using optics::Polarization;
 
 constexpr std::size_t kMaxFilms = 10'000;
-constexpr Range kAngle{0, 90, "deg", false, true};
+constexpr Range kAngle{0, 90, "deg"};
 
 struct FilmOptions : CommonOptions {
     std::string ambient = "1", substrate = "1";
@@ -103,7 +103,8 @@ Command add_film(CLI::App& program) {
         ->allow_extra_args(false);
     film->add_option("--substrate", options->substrate, "Medium beyond the films")
         ->capture_default_str();
-    film->add_option("--angle", options->angles, "Angles of incidence in the ambient, deg")
+    film->add_option("--angle", options->angles,
+                     "Angles of incidence in the ambient, deg, in [0, 90]")
         ->capture_default_str();
     film->add_option("--wavelength", options->wavelengths, "Vacuum wavelengths, nm")
         ->capture_default_str();

@@ -108,11 +108,12 @@ void describe_pigment(Facts& facts, std::string_view bytes, const std::string& f
 
 void describe_spectrum(Facts& facts, std::string_view bytes, const std::string& file) {
     const std::vector<CsvRow> rows = parse_csv(bytes, file);
+    CsvNumbers numbers(file, csv_separator(first_csv_line(bytes)));
     std::vector<double> nm, values;
     for (std::size_t i = 1; i < rows.size(); ++i) {
-        const auto wavelength = nacre::parse_number(rows[i][0].text);
+        const auto wavelength = numbers.parse(rows[i][0]);
         const auto value =
-            rows[i].size() == 2 ? nacre::parse_number(rows[i][1].text) : std::optional<double>();
+            rows[i].size() == 2 ? numbers.parse(rows[i][1]) : std::optional<double>();
         if (!wavelength || !value) {
             throw InputError(fmt::format("{}:{}: must have two numbers", file, rows[i][0].line));
         }

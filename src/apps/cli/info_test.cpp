@@ -210,5 +210,17 @@ TEST_F(Info, OtherCommandsSayWhatTheyWereGivenInstead) {
                 HasSubstr("comma.toml:1:8: ior: 1,5: a number has a decimal point: 1.5"));
 }
 
+TEST_F(Info, TablesMayHaveDecimalCommas) {
+    write("primer.csv", "wavelength_nm;R\n400;0,2\n700;0,4\n");
+    EXPECT_THAT(nacre("info primer.csv").out, HasSubstr("0.2 to 0.4"));
+    write("glass.csv", "wavelength_nm;n\n400;1,6\n700;1,5\n");
+    EXPECT_THAT(nacre("film --substrate glass.csv --wavelength 400").out,
+                HasSubstr("400,0,u,0.053254"));
+    write("mixed.csv", "wavelength_nm;R\n400;0,2\n700;0.4\n");
+    const Outcome mixed = nacre("info mixed.csv");
+    EXPECT_EQ(mixed.status, 2);
+    EXPECT_THAT(mixed.err, HasSubstr("mixed.csv:2:5: 0,2 has a decimal comma"));
+}
+
 }  // namespace
 }  // namespace nacre::cli::testing

@@ -49,7 +49,7 @@ TEST_F(Program, WrongUsageEndsWithOne) {
           "paint",
           "film --colour red",
           "solve gray.toml --wavelength 0.5 -o out.h5",
-          "film --angle 90",
+          "film --angle 90.1",
           "film --angle nan",
           "film --wavelength 400:700:-10",
           "film --wavelength 1:2",
@@ -117,6 +117,22 @@ TEST_F(Program, FilmPrintsAPublishedQuarterWave) {
     EXPECT_THAT(film.out, StartsWith("wavelength_nm,angle_deg,polarization,R,T\n550,0,s,"));
     EXPECT_NEAR(number(film.out, 1, 3), 0.012600790215, 1e-11);
     EXPECT_NEAR(number(film.out, 1, 3) + number(film.out, 1, 4), 1, 1e-11);
+}
+
+// The limit: all is reflected, but where there is nothing to reflect.
+TEST_F(Program, FilmTakesAnglesUpToTheHorizon) {
+    const std::string grazing = "film --angle 90 --wavelength 550 --polarization ";
+    for (const char* polarization : {"s", "p", "u"}) {
+        const Outcome glass =
+            nacre(grazing + polarization + " --substrate 1.52 --layer 1.38:99.6376811594");
+        EXPECT_EQ(glass.status, 0) << glass.err;
+        EXPECT_NEAR(number(glass.out, 1, 3), 1, 1e-12) << polarization;
+        EXPECT_NEAR(number(glass.out, 1, 4), 0, 1e-12) << polarization;
+        const Outcome air = nacre(grazing + polarization);
+        EXPECT_EQ(number(air.out, 1, 3), 0) << polarization;
+        EXPECT_EQ(number(air.out, 1, 4), 1) << polarization;
+    }
+    EXPECT_THAT(nacre("film --angle 90.1").err, HasSubstr("[0, 90] deg"));
 }
 
 TEST_F(Program, InfoTellsWhatIsSolvedInPlaceOfFlakes) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "nacre/core/error.h"
 #include "nacre/core/text.h"
@@ -11,6 +12,8 @@
 namespace nacre {
 
 namespace {
+
+constexpr const char* kCommasNeed = "; decimal commas need semicolons or tabs between the cells";
 
 /// Whether spreadsheets take a cell for a formula.
 bool looks_like_formula(std::string_view text) {
@@ -145,6 +148,36 @@ std::vector<CsvRow> parse_csv(std::string_view text, const std::string& filename
     text = without_byte_order_mark(text);
     return CsvParser(text, filename, separator.value_or(csv_separator(first_csv_line(text))))
         .rows();
+}
+
+CsvNumbers::CsvNumbers(std::string filename, char separator)
+    : filename_(std::move(filename)), commas_(separator != ',') {}
+
+std::optional<double> CsvNumbers::parse(const CsvCell& cell) {
+    std::string text = replaced(replaced(cell.text, "\u2212", "-"), "\u00b0", "");
+    const bool point = text.find('.') != std::string::npos;
+    const bool comma = commas_ && !point && std::count(text.begin(), text.end(), ',') == 1;
+    if (comma) text = replaced(text, ",", ".");
+    const auto value = parse_number(text);
+    if (value && comma && !comma_) comma_ = cell;
+    if (value && point && !point_) point_ = cell;
+    if (comma_ && point_) {
+        throw InputError(fmt::format(
+            "{}:{}:{}: {} has a decimal comma, but {} in line {} has a point; a file must have "
+            "one or the other, and nothing between thousands",
+            filename_, comma_->line, comma_->column, excerpt(comma_->text), excerpt(point_->text),
+            point_->line));
+    }
+    return value;
+}
+
+std::string CsvNumbers::advice(const CsvCell& cell) const {
+    if (cell.text.find(',') == std::string::npos) return "";
+    return commas_ ? "; thousands are written without a mark" : kCommasNeed;
+}
+
+std::string CsvNumbers::advice(const CsvRow& row, std::size_t columns) const {
+    return !commas_ && row.size() > columns ? kCommasNeed : "";
 }
 
 std::string csv_cell(std::string_view text) {

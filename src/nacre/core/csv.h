@@ -36,6 +36,30 @@ std::string_view first_csv_line(std::string_view text);
 std::vector<CsvRow> parse_csv(std::string_view text, const std::string& filename,
                               std::optional<char> separator = std::nullopt);
 
+/// The numbers of the cells of one file, with a decimal point or, where no comma is between the
+/// cells, a decimal comma. A file has one of the two: a comma in one number and a point in another
+/// may be a separator of thousands, which would be read as a thousandth.
+class CsvNumbers {
+ public:
+    /// @param filename   for messages
+    /// @param separator  of the file's cells
+    CsvNumbers(std::string filename, char separator);
+
+    /// A finite number; none if the cell holds something else.
+    /// @throws InputError with file, line and column if its mark is not that of a cell before
+    std::optional<double> parse(const CsvCell& cell);
+
+    /// What helps where a cell that should be a number is none: "; ...", or nothing.
+    std::string advice(const CsvCell& cell) const;
+    /// The same where a row has another number of cells than the header.
+    std::string advice(const CsvRow& row, std::size_t columns) const;
+
+ private:
+    std::string filename_;
+    bool commas_;
+    std::optional<CsvCell> comma_, point_;  // the first of each
+};
+
 /// A text as it is written into a cell: quoted where it has to be. A text that a spreadsheet would
 /// take for a formula, since it begins with = + - @ and is no number, gets an apostrophe in front,
 /// which parse_csv() takes off; so does one that begins with such an apostrophe. Bytes that are no

@@ -53,6 +53,29 @@ TEST(Csv, DecimalCommasGoIntoNumbersAndNothingElse) {
               (Texts{{"a", "b;c"}, {"1,25", "2,5"}}));
 }
 
+TEST(CsvNumbers, HaveOneDecimalMarkInAFile) {
+    CsvNumbers german("f.csv", ';');
+    EXPECT_EQ(german.parse({"0,04", 2, 5}), 0.04);
+    EXPECT_EQ(german.parse({"\u2212400", 2, 1}), -400);
+    EXPECT_EQ(german.parse({"1,2,3", 2, 1}), std::nullopt);
+    EXPECT_EQ(german.parse({"a.b", 2, 1}), std::nullopt);
+    EXPECT_THAT(german.advice({"1,234,567", 2, 1}), HasSubstr("thousands"));
+    EXPECT_THAT(
+        [&] {
+            german.parse({"1.5", 7, 3});
+        },
+        ThrowsMessage<InputError>(
+            HasSubstr("f.csv:2:5: 0,04 has a decimal comma, but 1.5 in line 7 has a")));
+    CsvNumbers english("f.csv", ',');
+    EXPECT_EQ(english.parse({"0.04", 2, 5}), 0.04);
+    EXPECT_EQ(english.parse({"0,04", 2, 5}), std::nullopt);
+    EXPECT_THAT(english.advice({"0,04", 2, 5}), HasSubstr("need semicolons or tabs"));
+    EXPECT_EQ(english.advice({"much", 2, 5}), "");
+    EXPECT_THAT(english.advice(CsvRow(3), 2), HasSubstr("need semicolons or tabs"));
+    EXPECT_EQ(english.advice(CsvRow(1), 2), "");
+    EXPECT_EQ(german.advice(CsvRow(3), 2), "");
+}
+
 TEST(Csv, BytesThatAreNoTextAreWrittenAsEscapes) {
     EXPECT_EQ(csv_cell("silver\xff"), "silver\\xff");
     EXPECT_EQ(csv_cell(std::string("a\0b", 3)), "a\\x00b");

@@ -227,9 +227,8 @@ measure::Conditions conditions_of(const CgatsTable& table, const std::string& fi
     }
     if (observer) {
         conditions.observer = parsed_keyword(*observer, filename, [](const std::string& text) {
-            const std::string plain = replaced(text, "\u00b0", " ");
-            const auto number = words(plain);  // views into it
-            return spectra::parse_observer(number.empty() ? text : std::string(number[0]));
+            const auto field = words(text);  // further ones say more about the observer
+            return spectra::parse_observer(field.empty() ? text : std::string(field[0]));
         });
     }
     if (const auto note =

@@ -108,6 +108,26 @@ TEST(Cgats, SaysWhichLightItTakesWhereNoneIsStated) {
     EXPECT_EQ(weighting.samples[0].conditions.observer, spectra::Observer::cie1931_2deg);
 }
 
+TEST(Cgats, TheObserverMayHaveItsUnitAsInTables) {
+    for (const std::string unit : {"", "degree", " degree", "deg", " Grad", "\u00b0", " \u00b0"}) {
+        for (const std::string& text :
+             {cgats_text("MEASUREMENT_SOURCE \"Illumination=D50 ObserverAngle=2" + unit +
+                             " WhiteBase=Abs\"\n",
+                         "GEOMETRY LAB_L LAB_A LAB_B", "45as15 50 0 0\n"),
+              cgats_text("OBSERVER \"2" + unit + " (1931)\"\n", "GEOMETRY LAB_L LAB_A LAB_B",
+                         "45as15 50 0 0\n"),
+              "geometry,L,a,b,observer\n45as15,50,0,0,2" + unit + "\n"}) {
+            EXPECT_EQ(parse_measurement_file(text, "m.txt").samples.at(0).conditions.observer,
+                      spectra::Observer::cie1931_2deg)
+                << text;
+        }
+    }
+    EXPECT_THAT(message_of<InputError>([] {
+                    parse_measurement_file("geometry,L,a,b,observer\n45as15,50,0,0,3 deg\n", "m");
+                }),
+                HasSubstr("m:2:15: observer: observer '3 deg' is unknown; use 2 (CIE 1931)"));
+}
+
 TEST(Cgats, RefusalsNameLineAndColumn) {
     const std::string fields = "GEOMETRY LAB_L LAB_A LAB_B";
     EXPECT_THAT(refused_cgats(cgats_text("", fields, "45as15 50 0 0 1\n")),

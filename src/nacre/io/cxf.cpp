@@ -264,8 +264,7 @@ class CxfReader {
             conditions.illuminant = read(name, "Illuminant", spectra::parse_illuminant);
         }
         if (observer_) {
-            const std::string degrees = observer_->substr(0, observer_->find('_'));
-            conditions.observer = read(degrees, "Observer", spectra::parse_observer);
+            conditions.observer = read(*observer_, "Observer", spectra::parse_observer);
         }
         if (const auto note = note_of_light(filename_, illuminant_.has_value(),
                                             observer_.has_value(), conditions)) {

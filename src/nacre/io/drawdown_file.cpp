@@ -43,7 +43,9 @@ const std::vector<std::string>& drawdown_columns() {
 class DrawdownTable {
  public:
     DrawdownTable(std::string_view text, const std::string& filename)
-        : filename_(filename), rows_(parse_csv(text, filename)) {
+        : filename_(filename),
+          rows_(parse_csv(text, filename)),
+          numbers_(filename, csv_separator(first_csv_line(text))) {
         if (rows_.empty()) throw InputError(filename + ": is empty: there is no header");
         if (rows_.size() == 1) throw InputError(filename + ": has a header, but no reading");
         if (rows_.size() - 1 > measure::kMaxDrawdownReadings) {
@@ -53,15 +55,16 @@ class DrawdownTable {
         read_header(rows_[0]);
     }
 
-    measure::Drawdown drawdown() const {
+    measure::Drawdown drawdown() {
         measure::Drawdown drawdown;
         for (const auto& [wavelength, column] : spectrum_) {
             drawdown.wavelengths_nm.push_back(wavelength);
         }
         for (std::size_t i = 1; i < rows_.size(); ++i) {
             if (rows_[i].size() != rows_[0].size()) {
-                throw InputError(fmt::format("{}has {} cells; the header has {}",
-                                             place(rows_[i][0]), rows_[i].size(), rows_[0].size()));
+                throw InputError(fmt::format("{}has {} cells; the header has {}{}",
+                                             place(rows_[i][0]), rows_[i].size(), rows_[0].size(),
+                                             numbers_.advice(rows_[i], rows_[0].size())));
             }
             drawdown.readings.push_back(reading(rows_[i]));
         }
@@ -134,17 +137,18 @@ class DrawdownTable {
     }
 
     double number(const CsvCell& cell, const std::string& what, const Range& range,
-                  const char* or_else = "") const {
-        const auto value = parse_number(cell.text);
+                  const char* or_else = "") {
+        const auto value = numbers_.parse(cell);
         if (value && range.contains(*value)) return *value;
         const bool percent = value && *value > range.hi && *value <= 120 && range.hi < 2;
         throw InputError(fmt::format(
             "{}{} = {}: must be a number in {}{}{}", place(cell), what, excerpt(cell.text),
             range.text(), or_else,
             percent ? fmt::format(" (in percent? {} % is {})", excerpt(cell.text), *value / 100)
-                    : std::string()));
+            : value ? std::string()
+                    : numbers_.advice(cell)));
     }
-    double number(const CsvRow& row, const std::string& column, const Range& range) const {
+    double number(const CsvRow& row, const std::string& column, const Range& range) {
         return number(cell(row, column), column, range);
     }
 
@@ -153,13 +157,13 @@ class DrawdownTable {
     }
 
     /// A fraction of a pigment that may be absent from a row.
-    double fraction_or_none(const CsvRow& row, const std::string& column, Range allowed) const {
+    double fraction_or_none(const CsvRow& row, const std::string& column, Range allowed) {
         if (is_empty(row, column)) return 0;
         allowed.lo_open = false;  // 0 says the same
         return number(row, column, allowed);
     }
 
-    double density(const CsvRow& row, const std::string& column, const char* needed_by) const {
+    double density(const CsvRow& row, const std::string& column, const char* needed_by) {
         if (!columns_.contains(column)) {
             throw InputError(
                 fmt::format("{}{} needs the column {}", place(rows_[0][0]), needed_by, column));
@@ -172,7 +176,7 @@ class DrawdownTable {
     };
 
     /// Volumes from masses over densities; what is neither pigment nor white is binder.
-    Fractions by_volume(const CsvRow& row, double pigment_mass, double white_mass) const {
+    Fractions by_volume(const CsvRow& row, double pigment_mass, double white_mass) {
         if (pigment_mass + white_mass >= 1) {
             throw InputError(fmt::format(
                 "{}white_mass_fraction = {}: with a mass_fraction of {} nothing is left "
@@ -203,7 +207,7 @@ class DrawdownTable {
         return out;
     }
 
-    Fractions fractions(const CsvRow& row) const {
+    Fractions fractions(const CsvRow& row) {
         const Range& allowed = optics::kParticleVolumeRange;
         const bool by_mass = columns_.contains("mass_fraction");
         const char* pigment = by_mass ? "mass_fraction" : "volume_fraction";
@@ -216,7 +220,7 @@ class DrawdownTable {
         return by_mass ? by_volume(row, amount, white) : Fractions{amount, white};
     }
 
-    measure::DrawdownReading reading(const CsvRow& row) const {
+    measure::DrawdownReading reading(const CsvRow& row) {
         measure::DrawdownReading out;
         out.ground = cell(row, "ground").text;
         out.opaque = lowercase(trimmed(cell(row, "thickness_um").text)) == kOpaque;
@@ -242,6 +246,7 @@ class DrawdownTable {
 
     const std::string& filename_;
     std::vector<CsvRow> rows_;
+    CsvNumbers numbers_;
     std::map<std::string, std::size_t> columns_;
     std::map<double, std::size_t> spectrum_;
 };

@@ -32,6 +32,25 @@ TEST(DrawdownFile, ReadsGroundsThicknessesAndSpectra) {
     EXPECT_EQ(again.readings[1].reflectance, drawdown.readings[1].reflectance);
 }
 
+TEST(DrawdownFile, TakesDecimalCommasBetweenSemicolons) {
+    const std::string head = "ground;thickness_um;volume_fraction;400;500\n";
+    const measure::DrawdownReading reading =
+        parse_drawdown(head + "black;25,5;0,03;0,04;0,05\n", "blue.csv").readings[0];
+    EXPECT_EQ(reading.thickness_um, 25.5);
+    EXPECT_EQ(reading.volume_fraction, 0.03);
+    EXPECT_EQ(reading.reflectance, (std::vector<double>{0.04, 0.05}));
+    EXPECT_THAT(
+        drawdown_refusal(head + "black;0;;0,04;0,05\nblack;25;0,03;0,04;0.05\n"),
+        HasSubstr("blue.csv:2:10: 0,04 has a decimal comma, but 0.05 in line 3 has a point"));
+    EXPECT_THAT(
+        drawdown_refusal("ground,thickness_um,volume_fraction,400\nblack,25,0.03,\"0,04\"\n"),
+        HasSubstr("blue.csv:2:15: R400 = 0,04: must be a number in [0, 1.2]; decimal commas need "
+                  "semicolons or tabs between the cells"));
+    EXPECT_THAT(
+        drawdown_refusal("ground,thickness_um,volume_fraction,400\nblack,25,0,03,0.04\n"),
+        HasSubstr("blue.csv:2:1: has 5 cells; the header has 4; decimal commas need semicolons"));
+}
+
 TEST(DrawdownFile, MassBecomesVolumeByTheDensities) {
     const measure::Drawdown drawdown = parse_drawdown(
         "ground,thickness_um,mass_fraction,density_g_per_cm3,550\nblack,20,0.2,1.6,0.3\n", "x.csv");

@@ -414,8 +414,19 @@ TEST(RecipeFile, ReadsSpectraFromFiles) {
                   "45, must be a number in [0, 1]"));
     EXPECT_THAT(refusal(head + "500,0.2\n400,0.2\n"),
                 HasSubstr("bad.csv:3: wavelength_nm must be above"));
-    EXPECT_THAT(refusal(head + "500,0.2,1\n"), HasSubstr("must have two cells"));
+    EXPECT_THAT(refusal(head + "500,0.2,1\n"),
+                HasSubstr("must have two cells; decimal commas need semicolons or tabs"));
     EXPECT_THAT(refusal(head + "secret,0.2\n"), Not(HasSubstr("secret")));
+    folder.write("german.csv", "wavelength_nm;R\n400;0,2\n700,5;0,4\n");
+    EXPECT_EQ(recipe_of("german.csv").substrate_reflectance,
+              spectra::Spectrum({400, 700.5}, {0.2, 0.4}));
+    EXPECT_THAT(
+        refusal("wavelength_nm;R\n400;0,2\n700;0.4\n"),
+        HasSubstr("paint.toml:5:15: substrate.reflectance = 'bad.csv': bad.csv:2:5: 0,2 has "
+                  "a decimal comma, but 0.4 in line 3 has a point"));
+    EXPECT_THAT(refusal(head + "400,\"0,2\"\n"),
+                HasSubstr("bad.csv:2: the value must be a number in [0, 1]; decimal commas need "
+                          "semicolons or tabs between the cells"));
     EXPECT_THAT(refusal("lambda,R\n400,0.2\n"), HasSubstr("wavelength_nm and one of values"));
     EXPECT_THAT(message_of<InputError>([&] { recipe_of("red"); }),
                 HasSubstr("substrate.reflectance = 'red': must be a number in [0, 1], a table"));

@@ -28,7 +28,8 @@ std::string write_whole(const RecipeFile& file) {
     return write_recipe(file.recipe, file.bounds, file.deviations, file.correlations);
 }
 
-/// The paths of all values that a recipe has, and a spectrum by its path.
+/// The paths of all values that a recipe has, of the lists and tables that they are in, and a
+/// spectrum by its path.
 class ValueList final : public paint::PathVisitor {
  public:
     void number(const Field& field, double&) override { keys.push_back(path_of(field)); }
@@ -44,9 +45,20 @@ class ValueList final : public paint::PathVisitor {
     void choice(const Field& field, const paint::Words&, std::size_t&) override {
         keys.push_back(path_of(field));
     }
+    void table(const Field& field, paint::Described object) override {
+        tables.push_back(path_of(field));
+        PathVisitor::table(field, object);
+    }
+    void list(const Field& field, paint::List& list) override {
+        tables.push_back(path_of(field));
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            tables.push_back(fmt::format("{}[{}]", path_of(field), i));
+        }
+        PathVisitor::list(field, list);
+    }
 
     std::string wanted;
-    std::vector<std::string> keys;
+    std::vector<std::string> keys, tables;
     std::optional<Spectrum> found;
 };
 
@@ -125,12 +137,15 @@ std::string setting_text(const RecipeSetting& setting) {
 
 /// The keys that one setting means.
 std::vector<std::string> keys_of_setting(const paint::Recipe& recipe, const std::string& pattern) {
-    std::vector<std::string> keys = values_of(recipe).keys;
+    const ValueList values = values_of(recipe);
+    std::vector<std::string> keys = values.keys;
     for (const paint::RecipeParameter& number : paint::recipe_parameters(recipe)) {
         if (is_scaled(number.key)) keys.push_back(number.key);
     }
-    const std::vector<std::string> found = paint::matching_keys(keys, pattern);
-    if (!found.empty()) return found;
+    for (const std::vector<std::string>* of : {&std::as_const(keys), &values.tables}) {
+        const std::vector<std::string> found = paint::matching_keys(*of, pattern);
+        if (!found.empty()) return found;
+    }
     const std::vector<std::string> tables = paint::keys_of_new<paint::Recipe>();
     try {
         const TomlPath path = parse_toml_path(pattern);
@@ -143,6 +158,7 @@ std::vector<std::string> keys_of_setting(const paint::Recipe& recipe, const std:
         if (fits && std::ranges::find(tables, table) != tables.end()) return {pattern};
     } catch (const DomainError&) {  // is no path either
     }
+    keys.insert(keys.end(), values.tables.begin(), values.tables.end());
     std::vector<std::string> ends = keys;
     for (const std::string& key : keys) {
         for (std::size_t dot = key.find('.'); dot != std::string::npos;

@@ -30,8 +30,8 @@ using RecipeSetting = std::pair<std::string, std::string>;
 
 /// The recipe with other values, read from its text with these in it (which becomes its source).
 ///
-/// A key is one of those in paint::recipe_parameters(), or that of any other value, or the end of
-/// one, as paint::matching_parameters() takes them; or the whole path of a key that the recipe's
+/// A key is one of those in paint::recipe_parameters(), or that of any other value, list or table,
+/// or the end of one, as paint::matching_parameters() takes them; or the whole path of a key that the recipe's
 /// tables may have. `X.max` scales the spectrum X. Values are as toml_value().
 /// @throws DomainError "key=value: reason", naming the full key, its value and what is allowed
 RecipeFile with_settings(const RecipeFile& file, const std::vector<RecipeSetting>& settings);

@@ -225,6 +225,45 @@ TEST(RecipeSettings, AddTables) {
                 HasSubstr("clearcoat"));
 }
 
+TEST(RecipeSettings, TakeListsAndTablesByTheEndsOfTheirKeys) {
+    const std::string kFilm = "{ material = \"SiO2\", thickness_nm = 120 }";
+    const std::string kCoats =
+        "[\n    { material = \"TiO2_anatase\", thickness_nm = 80 }, # the colour\n]";
+    const std::string kLying = "{ distribution = \"ggx\", alpha = 0.2 }";
+    const struct {
+        const char* key;
+        std::string value, from;
+    } cases[] = {
+        {"coats", "[" + kFilm + "]", kCoats},
+        {"flakes[0].coats", "[" + kFilm + ", " + kFilm + "]", kCoats},
+        {"coats[0]", kFilm, "{ material = \"TiO2_anatase\", thickness_nm = 80 }"},
+        {"orientation", kLying, "{ distribution = \"beckmann\", alpha = 0.1 }"},
+        {"*orientation", kLying, "{ distribution = \"beckmann\", alpha = 0.1 }"},
+    };
+    for (const auto& [key, value, from] : cases) {
+        EXPECT_EQ(text_after(key, value), replaced(kMine, from, value)) << key;
+    }
+    // A list that is empty is there too.
+    const std::string bare = replaced(kMine, "coats = " + kCoats + "\n", "");
+    EXPECT_EQ(text_after("coats", "[" + kFilm + "]", bare),
+              replaced(bare, "thickness_nm = 500 }\n",
+                       "thickness_nm = 500 }\ncoats = [" + kFilm + "]\n"));
+
+    const std::string two = replaced(kMine, "[[layer.pigment]]\n",
+                                     "[[layer.flakes]]\nvolume_fraction = 0.01\n"
+                                     "orientation = " +
+                                         kLying +
+                                         "\n"
+                                         "core = { material = \"Al\", thickness_nm = 300 }\n"
+                                         "[[layer.pigment]]\n");
+    EXPECT_THAT(message_of<DomainError>([&] { text_after("orientation", kLying, two); }),
+                AllOf(StartsWith("orientation={"),
+                      HasSubstr("orientation: may mean layer[0].flakes[0].orientation, "
+                                "layer[0].flakes[1].orientation; write more of the key")));
+    EXPECT_THAT(message_of<DomainError>([&] { text_after("orientatoin", kLying); }),
+                HasSubstr("did you mean 'orientation'"));
+}
+
 TEST(RecipeSettings, ComplaintsNameKeyValueAndRange) {
     const auto refused = [](const std::string& key, const std::string& value) {
         return message_of<DomainError>([&] { text_after(key, value); });

@@ -315,22 +315,32 @@ spectra::Spectrum read_spectrum_file(const TableReader& table, std::string_view 
         table.fail(key, fmt::format("{} has {} rows; at most {} are allowed", file, rows.size() - 1,
                                     paint::kMaxSpectrumSamples));
     }
+    CsvNumbers numbers(file, csv_separator(first_csv_line(text)));
+    const auto number = [&](const CsvCell& cell) {
+        try {
+            return numbers.parse(cell);
+        } catch (const InputError& error) {
+            table.fail(key, error.what());
+        }
+    };
     std::vector<double> wavelengths, values;
     for (std::size_t i = 1; i < rows.size(); ++i) {
-        if (rows[i].size() != 2) refuse(rows[i], "must have two cells");
-        const auto wavelength = parse_number(rows[i][0].text),
-                   value = parse_number(rows[i][1].text);
+        if (rows[i].size() != 2) {
+            refuse(rows[i], "must have two cells" + numbers.advice(rows[i], 2));
+        }
+        const auto wavelength = number(rows[i][0]), value = number(rows[i][1]);
         if (!wavelength || !paint::limits::kWavelength.contains(*wavelength)) {
-            refuse(rows[i],
-                   "wavelength_nm must be a number in " + paint::limits::kWavelength.text());
+            refuse(rows[i], "wavelength_nm must be a number in " +
+                                paint::limits::kWavelength.text() +
+                                (wavelength ? "" : numbers.advice(rows[i][0])));
         }
         if (!wavelengths.empty() && *wavelength <= wavelengths.back()) {
             refuse(rows[i], "wavelength_nm must be above the one before");
         }
         if (!value || !range.contains(*value)) {
-            refuse(rows[i],
-                   fmt::format("the value{} must be a number in {}",
-                               value ? fmt::format(", {},", *value) : std::string(), range.text()));
+            refuse(rows[i], fmt::format("the value{} must be a number in {}{}",
+                                        value ? fmt::format(", {},", *value) : std::string(),
+                                        range.text(), value ? "" : numbers.advice(rows[i][1])));
         }
         wavelengths.push_back(*wavelength);
         values.push_back(*value);

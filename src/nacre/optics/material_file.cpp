@@ -158,10 +158,12 @@ namespace {
 
 constexpr std::string_view kSourceMark = "source:";
 
-double require_number(std::string_view field, const char* column, const std::string& place) {
-    const auto value = parse_number(field);
+double require_number(CsvNumbers& numbers, const CsvCell& cell, const char* column,
+                      const std::string& place) {
+    const auto value = numbers.parse(cell);
     if (!value) {
-        throw InputError(fmt::format("{}: {} is not a finite number", place, column));
+        throw InputError(
+            fmt::format("{}: {} is not a finite number{}", place, column, numbers.advice(cell)));
     }
     return *value;
 }
@@ -181,7 +183,9 @@ Material parse_material_csv(std::string_view text, const std::string& name) {
     std::vector<double> wavelengths_nm;
     std::vector<ComplexIndex> index;
     std::size_t columns = 0;
-    for (const CsvRow& fields : parse_csv(text, name, ',')) {
+    const char separator = csv_separator(first_csv_line(text));
+    CsvNumbers numbers(name, separator);
+    for (const CsvRow& fields : parse_csv(text, name, separator)) {
         const std::string place = fmt::format("{}:{}", name, fields[0].line);
         if (columns == 0) {
             const bool with_k = fields.size() == 3 && fields[2].text == "k";
@@ -194,12 +198,12 @@ Material parse_material_csv(std::string_view text, const std::string& name) {
             continue;
         }
         if (fields.size() != columns) {
-            throw InputError(
-                fmt::format("{}: has {} fields; the header has {}", place, fields.size(), columns));
+            throw InputError(fmt::format("{}: has {} fields; the header has {}{}", place,
+                                         fields.size(), columns, numbers.advice(fields, columns)));
         }
-        const double wavelength_nm = require_number(fields[0].text, "wavelength_nm", place);
-        const double n = require_number(fields[1].text, "n", place);
-        const double k = columns == 3 ? require_number(fields[2].text, "k", place) : 0.0;
+        const double wavelength_nm = require_number(numbers, fields[0], "wavelength_nm", place);
+        const double n = require_number(numbers, fields[1], "n", place);
+        const double k = columns == 3 ? require_number(numbers, fields[2], "k", place) : 0.0;
         if (!(wavelength_nm > (wavelengths_nm.empty() ? 0.0 : wavelengths_nm.back()))) {
             throw InputError(fmt::format(
                 "{}: wavelength_nm = {} is not above {}; wavelengths are positive and increase",

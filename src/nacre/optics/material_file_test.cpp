@@ -37,6 +37,19 @@ TEST(MaterialCsv, ReadsCommentsColumnsAndConstants) {
     EXPECT_FALSE(parse_material_csv("wavelength_nm,n\n400,1.5\n", "m").is_dispersive());
 }
 
+TEST(MaterialCsv, TakesDecimalCommasBetweenSemicolons) {
+    const std::string head = "# source: a, b; c\nwavelength_nm;n;k\n400;1,5;0\n";
+    EXPECT_EQ(parse_material_csv(head + "500,5;1,6;2e-1\n", "m").index(500.5),
+              ComplexIndex(1.6, .2));
+    EXPECT_THAT(csv_error(head + "500;1.6;0\n"),
+                HasSubstr("file:3:5: 1,5 has a decimal comma, but 1.6 in line 4 has a point"));
+    EXPECT_THAT(csv_error("wavelength_nm,n,k\n400,\"1,5\",0\n"),
+                HasSubstr("file:2: n is not a finite number; decimal commas need semicolons"));
+    EXPECT_THAT(
+        csv_error("wavelength_nm,n\n400,1,5\n"),
+        HasSubstr("file:2: has 3 fields; the header has 2; decimal commas need semicolons"));
+}
+
 TEST(MaterialCsv, ErrorsNameFileLineAndValue) {
     const std::string head = "wavelength_nm,n,k\n400,1.5,0\n";
     EXPECT_THAT(csv_error("lambda,n,k\n"), HasSubstr("file:1: the header must be"));

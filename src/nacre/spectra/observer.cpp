@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <string_view>
 #include <vector>
 
 #include "nacre/core/error.h"
@@ -58,6 +60,10 @@ Place find(double wavelength_nm, double first_nm, int rows) {
     return {i, position - i};
 }
 
+/// What files write behind the field of an observer.
+constexpr std::string_view kDegreeWords[] = {"",        "deg",  "deg.",  "degree",
+                                             "degrees", "grad", "\u00b0"};
+
 const std::vector<std::string> kIlluminantNames = {"A", "D50", "D65", "FL2", "FL11", "E"};
 
 }  // namespace
@@ -87,8 +93,14 @@ double illuminant_power(Illuminant illuminant, double wavelength_nm) {
 }
 
 Observer parse_observer(const std::string& text) {
-    if (text == "2") return Observer::cie1931_2deg;
-    if (text == "10") return Observer::cie1964_10deg;
+    const std::string small = lowercase(trimmed(text));
+    const std::size_t digits = std::min(small.find_first_not_of("0123456789"), small.size());
+    const std::string_view field = std::string_view(small).substr(0, digits);
+    const std::string unit = replaced(std::string_view(small).substr(digits), "_", " ");
+    if (std::ranges::find(kDegreeWords, trimmed(unit)) != std::end(kDegreeWords)) {
+        if (field == "2") return Observer::cie1931_2deg;
+        if (field == "10") return Observer::cie1964_10deg;
+    }
     throw InputError(fmt::format(
         "observer '{}' is unknown; use 2 (CIE 1931) or 10 (CIE 1964), the field in degrees", text));
 }

@@ -23,10 +23,12 @@ Vec3d colour_matching(Observer observer, double wavelength_nm);
 /// tabulates from there. @throws DomainError if the wavelength is not finite
 double illuminant_power(Illuminant illuminant, double wavelength_nm);
 
-Observer parse_observer(const std::string& text);      ///< "2", "10" @throws InputError
+/// "2", "10", with or without the unit as files write it: "10 degree", "10deg", "10°", "10_Degree",
+/// "10 Grad". @throws InputError
+Observer parse_observer(const std::string& text);
 Illuminant parse_illuminant(const std::string& text);  ///< "D65" ... @throws InputError
 
-/// What parse_illuminant() and parse_observer() take: "D65", "10".
+/// As parse_illuminant() and parse_observer() take them: "D65", "10".
 std::string name(Illuminant illuminant);
 std::string name(Observer observer);
 
