@@ -53,54 +53,6 @@ double last_digit(std::string_view text) {
     return std::pow(10.0, power - static_cast<double>(decimals));
 }
 
-/// The numbers of cells. A file has one decimal mark: a comma in one number and a point in another
-/// may be a separator of thousands, which would be read as a thousandth.
-class NumberCells {
- public:
-    NumberCells(const std::string& filename, bool commas) : filename_(filename), commas_(commas) {}
-
-    std::string place(const CsvCell& cell) const {
-        return fmt::format("{}:{}:{}: ", filename_, cell.line, cell.column);
-    }
-
-    std::optional<double> parse(const CsvCell& cell) {
-        std::string text = replaced(replaced(cell.text, "\u2212", "-"), "\u00b0", "");
-        const auto commas = std::count(text.begin(), text.end(), ',');
-        const bool point = text.find('.') != std::string::npos;
-        if (commas_ && commas == 1 && !point) {
-            text = replaced(text, ",", ".");
-            const auto value = parse_number(text);
-            if (value && !comma_) comma_ = cell;
-            return value;
-        }
-        const auto value = parse_number(text);
-        if (value && point && !point_) point_ = cell;
-        return value;
-    }
-
-    void check() const {
-        if (!comma_ || !point_) return;
-        throw InputError(fmt::format(
-            "{}{} has a decimal comma, but {} in line {} has a point; a file must have "
-            "one or the other, and nothing between thousands",
-            place(*comma_), excerpt(comma_->text), excerpt(point_->text), point_->line));
-    }
-
-    /// What helps where a text is no number.
-    std::string advice(const CsvCell& cell) const {
-        const bool comma = cell.text.find(',') != std::string::npos;
-        if (comma && !commas_) {
-            return "; decimal commas need semicolons or tabs between the cells";
-        }
-        return comma ? "; thousands are written without a mark" : "";
-    }
-
- private:
-    const std::string& filename_;
-    bool commas_;
-    std::optional<CsvCell> comma_, point_;  // the first of each
-};
-
 class MeasurementTable {
  public:
     MeasurementTable(std::vector<CsvRow> rows, const std::string& filename,
@@ -108,7 +60,7 @@ class MeasurementTable {
         : filename_(filename),
           hints_(hints),
           rows_(std::move(rows)),
-          numbers_(filename, hints.decimal_commas) {
+          numbers_(filename, hints.decimal_commas ? ';' : ',') {
         if (rows_.empty()) throw InputError(filename + ": is empty: there is no header");
         if (rows_.size() == 1) throw InputError(filename + ": has a header, but no reading");
         read_header(rows_[0]);
@@ -123,10 +75,9 @@ class MeasurementTable {
         conditions.illuminant = same_in_all_rows(
             "illuminant", conditions.illuminant,
             [](const CsvCell& cell) { return spectra::parse_illuminant(cell.text); });
-        conditions.observer =
-            same_in_all_rows("observer", conditions.observer, [](const CsvCell& cell) {
-                return spectra::parse_observer(replaced(cell.text, "\u00b0", ""));
-            });
+        conditions.observer = same_in_all_rows(
+            "observer", conditions.observer,
+            [](const CsvCell& cell) { return spectra::parse_observer(cell.text); });
         conditions.aperture.lamp_half_angle_deg =
             half_angle("lamp_half_angle_deg", conditions.aperture.lamp_half_angle_deg);
         conditions.aperture.detector_half_angle_deg =
@@ -143,7 +94,6 @@ class MeasurementTable {
                 }
             }
         }
-        numbers_.check();
         MeasurementFile file;
         apply_scale(readings, conditions, file.notes);
         if (!hints_.light_is_noted && std::ranges::any_of(readings, states_colour)) {
@@ -171,7 +121,9 @@ class MeasurementTable {
     }
 
  private:
-    std::string place(const CsvCell& cell) const { return numbers_.place(cell); }
+    std::string place(const CsvCell& cell) const {
+        return fmt::format("{}:{}:{}: ", filename_, cell.line, cell.column);
+    }
     bool by_angle() const { return !readings_[0].geometry.empty(); }
 
     // ------------------------------------------------------------------------------ the header
@@ -334,7 +286,7 @@ class MeasurementTable {
     std::optional<WrittenColour> chroma_beside(const CsvRow& row, const ReadingColumns& columns) {
         for (const char* name : {"l", "c", "h"}) {
             const CsvCell* found = cell(row, columns.columns, name);
-            const auto value = found ? NumberCells(numbers_).parse(*found) : std::nullopt;
+            const auto value = found ? CsvNumbers(numbers_).parse(*found) : std::nullopt;
             if (!value || !kMeasuredColour.contains(*value)) return std::nullopt;
         }
         return triple(row, columns, {"l", "c", "h"}, kMeasuredColour);
@@ -502,7 +454,7 @@ class MeasurementTable {
     const std::string& filename_;
     const MeasurementTableHints& hints_;
     std::vector<CsvRow> rows_;
-    NumberCells numbers_;
+    CsvNumbers numbers_;
     std::map<std::string, std::size_t> columns_;  // of a row as a whole
     std::vector<ReadingColumns> readings_;        // one at least
     std::vector<double> wavelengths_nm_;          // of all spectra
