@@ -65,7 +65,9 @@ std::shared_ptr<const PaintBrdf> brdf_of(const PaintHandle& handle, const BrdfSe
         }
     }
     auto brdf = run(progress, [&](const Progress& ask) {
-        PaintBrdf values = handle.paint.brdf(settings, ask);
+        BrdfSettings wanted = settings;
+        wanted.patches = patch.has_value();
+        PaintBrdf values = handle.paint.brdf(wanted, ask);
         if (patch) {
             const auto& [x, y, side] = *patch;
             values = values.on(x, y, side);

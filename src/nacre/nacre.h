@@ -152,6 +152,9 @@ struct BrdfSettings {
     /// shipped paints at byk-mac's angles that is up to 2.6 % of values above a thousandth of the
     /// largest, and up to 0.28 in CIEDE2000.
     bool as_rendered = false;
+    /// Whether values of patches are wanted as well, PaintBrdf::on(): then single flakes are made at once,
+    /// which takes most of the time, and else when the first patch is looked at.
+    bool patches = false;
 };
 
 /// The BRDF of a paint by values: those of the solved paint in double precision where the model is
@@ -363,8 +366,8 @@ class Paint {
     /// Of all solutions so far.
     std::vector<SolverWarning> warnings() const;
     /// The numbers that can be computed with and are hardly meant, the file before each: of a recipe
-    /// by paint::implausible_numbers(), of measured colours where columns contradict each other
-    /// (io::MeasurementFile::contradictions). None of other kinds.
+    /// by paint::implausible_numbers(), of measured colours where columns of this sample contradict
+    /// each other (io::MeasurementFile::contradictions). None of other kinds.
     std::vector<std::string> implausible_numbers() const;
 
     /// The paint as a model shows it, for a renderer; measured and tabulated BRDFs as they are.

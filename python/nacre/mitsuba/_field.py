@@ -117,7 +117,7 @@ class Field:
     def resolved_factor(
         self, levels: Levels, exponent: Float, scale: Float, spread2: Float | None
     ) -> Float:
-        """FlakeView::resolved_factor(); spread2: None where nothing but diffraction spreads light."""
+        """FlakeView::resolved_factor(); spread2: None where diffraction alone spreads light."""
         radius = self.typical_radius * scale
         radius2 = radius * radius
         if spread2 is None:

@@ -75,7 +75,7 @@ ExitStatus run(const EvalOptions& options) {
     const Stopwatch watch;
     const std::vector<Direction> incident = parse_directions("--incident", options.incident);
     const std::vector<Direction> outgoing = parse_directions("--outgoing", options.outgoing);
-    BrdfSettings settings{.part = parse_part(options.part)};
+    BrdfSettings settings{.part = parse_part(options.part), .patches = !options.at.empty()};
     if (!options.wavelengths.empty()) {
         settings.wavelengths_nm =
             parse_numbers("--wavelength", options.wavelengths, paint::limits::kWavelength);

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <span>
 #include <vector>
 
 #include "nacre/core/csv.h"
@@ -244,10 +245,13 @@ std::vector<std::string> describe_measured_colours(Facts& facts, std::string_vie
                                                    const std::string& file,
                                                    const std::string& sample) {
     const io::MeasurementFile colours = io::parse_measurement_file(bytes, file);
-    const std::vector<measure::Measurement> one =
-        sample.empty() ? std::vector<measure::Measurement>()
-                       : std::vector{io::sample_called(colours, sample, file)};
-    const std::vector<measure::Measurement>& samples = sample.empty() ? colours.samples : one;
+    std::size_t first = 0, last = colours.samples.size();
+    if (!sample.empty()) {
+        first = static_cast<std::size_t>(&io::sample_called(colours, sample, file) -
+                                         colours.samples.data());
+        last = first + 1;
+    }
+    const std::span samples = std::span(colours.samples).subspan(first, last - first);
     facts.add("kind", "measured colours");
     const measure::Conditions& conditions = samples[0].conditions;
     facts.add("light", "{}, {} degrees", spectra::name(conditions.illuminant),
@@ -260,7 +264,12 @@ std::vector<std::string> describe_measured_colours(Facts& facts, std::string_vie
                         samples[i]);
     }
     for (const std::string& note : colours.notes) facts.add("note", "{}", note);
-    return colours.contradictions;
+    std::vector<std::string> contradictions;
+    for (std::size_t i = first; i < last; ++i) {
+        contradictions.insert(contradictions.end(), colours.contradictions[i].begin(),
+                              colours.contradictions[i].end());
+    }
+    return contradictions;
 }
 
 void describe_scene(Facts& facts, std::string_view bytes, const std::string& file,

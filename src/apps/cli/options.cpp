@@ -67,7 +67,9 @@ void add_input_options(CLI::App& command, CommonOptions& options) {
         .add_flag(
             "--strict", options.strict,
             "Refuse what would be warned of: implausible numbers of a recipe, measured colours "
-            "that contradict themselves, multiple scattering that is not resolved")
+            "that contradict themselves, colours from too few wavelengths, multiple scattering "
+            "that "
+            "is not resolved")
         ->group(kRunningGroup);
 }
 

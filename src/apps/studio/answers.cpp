@@ -278,6 +278,7 @@ Measurement standard_readings(const Paint& standard, const Viewed& viewed) {
     try {
         return standard.measure({}, settings_of(viewed)).measurement;
     } catch (const InputError&) {
+        if (standard.kind() != Kind::measured_colours) throw;
         return standard.measure().measurement;
     }
 }

@@ -235,7 +235,7 @@ TEST(LeaningFlakes, AreAskedInTheirOwnFrameUnderTheCoatAsItLies) {
 }
 
 /// Of which a quarter is left where flakes are apart, and these show 2.
-class AskedApart final : public Asked {
+class AskedWithFlakes final : public Asked {
  public:
     BsdfValue evaluate_on(const Patch& patch, Vec3f i, Vec3f o) const override {
         const float left = patch.flakes == Patch::Flakes::shown ? 2 : 0.25f;
@@ -249,7 +249,7 @@ class AskedApart final : public Asked {
 // speck. Narrow light is sampled by itself and meets all of them.
 TEST(LeaningFlakes, ShowTheirMeanUnderWideLightBeyondTheCriticalAngle) {
     using Flakes = Patch::Flakes;
-    const AskedApart flat;
+    const AskedWithFlakes flat;
     const LeaningFlakes leaning(flat, Lean({0.1f, 0}));
     int beyond = 0;
     for (int azimuth = 0; azimuth < 360; azimuth += 15) {

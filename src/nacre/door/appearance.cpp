@@ -43,7 +43,7 @@ bsdf::Patch square_mm(double x, double y, float side) {
     return patch;
 }
 
-/// The values of a surface on any patch, whose single flakes are made when the first is asked for.
+/// The values of a surface on patches, made when the first of them is looked at.
 class ValuesOnPatch {
  public:
     ValuesOnPatch(Paint paint, Model model, SolveSettings solve, std::vector<double> wavelengths_nm)
@@ -52,15 +52,18 @@ class ValuesOnPatch {
           solve_(std::move(solve)),
           wavelengths_nm_(std::move(wavelengths_nm)) {}
 
-    std::vector<double> operator()(const bsdf::Patch& patch, double theta_i, double theta_o,
-                                   double phi) {
+    measure::Brdf on(const bsdf::Patch& patch) {
         std::call_once(made_, [&] {
             // Isolated, as Paint::solved(): who waits for parts of this must not begin other work of
             // the caller's, which might wait for all of it.
-            tbb::this_task_arena::isolate(
-                [&] { bound_.emplace(*paint_.appearance(model_, solve_), wavelengths_nm_); });
+            tbb::this_task_arena::isolate([&] {
+                bound_ = std::make_shared<const models::SpectralBrdf>(
+                    *paint_.appearance(model_, solve_), wavelengths_nm_);
+            });
         });
-        return (*bound_)(theta_i, theta_o, phi, patch);
+        return [bound = bound_, patch](double theta_i, double theta_o, double phi) {
+            return (*bound)(theta_i, theta_o, phi, patch);
+        };
     }
 
  private:
@@ -69,7 +72,7 @@ class ValuesOnPatch {
     const SolveSettings solve_;
     const std::vector<double> wavelengths_nm_;
     std::once_flag made_;
-    std::optional<models::SpectralBrdf> bound_;
+    std::shared_ptr<const models::SpectralBrdf> bound_;
 };
 
 /// The values at those of a solved paint's wavelengths that were asked for.
@@ -197,7 +200,7 @@ PaintBrdf Paint::brdf(const BrdfSettings& settings, const Progress& progress) co
     if (brdf.wavelengths_nm_.empty()) brdf.wavelengths_nm_ = spectra::default_wavelengths_nm();
     // Few who ask for values ask for those of single flakes, which take most of the time.
     const auto* nacre = measured || has_table ? nullptr : model.get<NacreModel>();
-    const bool alone = nacre && !state_->known_look(model, solve);
+    const bool alone = nacre && !settings.patches && !state_->known_look(model, solve);
     std::shared_ptr<const bsdf::Bsdf> look;
     if (alone) {
         const auto paint = solved(solve, only_asking(progress));
@@ -214,11 +217,7 @@ PaintBrdf Paint::brdf(const BrdfSettings& settings, const Progress& progress) co
     if (alone) {
         const auto flakes =
             std::make_shared<ValuesOnPatch>(*this, model, solve, brdf.wavelengths_nm_);
-        brdf.values_on_ = [flakes](const bsdf::Patch& patch) -> measure::Brdf {
-            return [flakes, patch](double theta_i, double theta_o, double phi) {
-                return (*flakes)(patch, theta_i, theta_o, phi);
-            };
-        };
+        brdf.values_on_ = [flakes](const bsdf::Patch& patch) { return flakes->on(patch); };
     } else if (look->varies_over_surface()) {
         brdf.values_on_ = [bound](const bsdf::Patch& patch) -> measure::Brdf {
             return [bound, patch](double theta_i, double theta_o, double phi) {

@@ -197,10 +197,12 @@ Paint open_text(std::string bytes, const std::string& name, const References& re
                                 name));
             }
             io::MeasurementFile file = io::parse_measurement_file(bytes, name);
-            Measurement measurement = io::sample_called(file, sample, name);
+            const Measurement& found = io::sample_called(file, sample, name);
+            std::vector<std::string>& contradictions =
+                file.contradictions[static_cast<std::size_t>(&found - file.samples.data())];
             return Paint(std::make_shared<const Paint::State>(
-                MeasuredColours{std::move(bytes), sample, std::move(measurement),
-                                std::move(file.notes), std::move(file.contradictions)},
+                MeasuredColours{std::move(bytes), sample, found, std::move(file.notes),
+                                std::move(contradictions)},
                 name));
         }
     }

@@ -115,7 +115,7 @@ struct NacreShown {
 };
 
 /// FlakeView::resolved_factor()
-float nacreAnswer(int s, NacrePair p, float resolved, float widening) {
+float nacreResolvedFactor(int s, NacrePair p, float resolved, float widening) {
     float exponent = nacreExponent(s, p.slope2);
     float radius = nacreFieldLevels[s].y * nacreWidening(p.sec2, p.cosine);
     float relative = nacreExponent(s, nacreFieldSize[s].z + p.coat2), narrower = 1. / (1. + relative);
@@ -137,7 +137,7 @@ void nacreShowNone() {
 }
 float nacreRest(int s, NacrePair p) {
     if (nacreResolved[s] == 0. || !nacreReaches(s, p.slope2)) return 1.;
-    return 1. - nacreResolved[s] * nacreAnswer(s, p, nacreResolved[s], nacreWidened[s]);
+    return 1. - nacreResolved[s] * nacreResolvedFactor(s, p, nacreResolved[s], nacreWidened[s]);
 }
 
 /// Cells of a level that a patch touches.
@@ -314,7 +314,7 @@ vec3 nacreFlakeColour(int s, uvec2 body, vec3 wi, vec3 wo, NacrePair p) {
 float nacreFlakeFactor(int s, NacrePair p, float width, float resolved, float widening) {
     float alpha = nacreField[s].y, exponent = nacreExponent(s, p.slope2), y = width / alpha;
     float blur = exp(y * y * nacreLobeTable(exponent, y).x);
-    return nacreAnswer(s, p, resolved, widening) * PI * alpha * alpha * exp(exponent) / blur;
+    return nacreResolvedFactor(s, p, resolved, widening) * PI * alpha * alpha * exp(exponent) / blur;
 }
 
 /// A plane of cells as a patch sees it: FlakePlane.

@@ -40,15 +40,25 @@ std::string text_of(const Vec3d& lab) {
 }
 
 /// All that a row states, that which counts first.
-std::vector<Statement> statements_of(const MeasurementRow& row, const Vec3d& white) {
+/// @param whites  of the spectrum's wavelengths, and that of the CIE's tables, where they are two: instruments
+///                state X, Y, Z by either
+std::vector<Statement> statements_of(const MeasurementRow& row, const std::vector<Vec3d>& whites) {
     std::vector<Statement> all;
     const auto same = [](const Vec3d& lab) { return lab; };
     if (row.lab && row.states_lab) all.push_back(stated("L, a, b", {*row.lab, row.lab_unit}, same));
     if (row.lch) all.push_back(stated("L, C, h", *row.lch, lab_of_lch));
-    if (row.xyz) {
-        all.push_back(stated("X, Y, Z", {*row.xyz, row.xyz_unit},
-                             [&](const Vec3d& xyz) { return spectra::xyz_to_lab(xyz, white); }));
+    if (!row.xyz) return all;
+    std::optional<Statement> nearest;
+    for (const Vec3d& white : whites) {
+        const Statement here = stated("X, Y, Z", {*row.xyz, row.xyz_unit}, [&](const Vec3d& xyz) {
+            return spectra::xyz_to_lab(xyz, white);
+        });
+        const auto off = [&](const Statement& s) {
+            return all.empty() ? 0 : spectra::delta_e_2000(all[0].lab, s.lab);
+        };
+        if (!nearest || off(here) < off(*nearest)) nearest = here;
     }
+    all.push_back(*nearest);
     return all;
 }
 
@@ -77,9 +87,10 @@ Vec3d lab_of_lch(const Vec3d& lch) {
 void ColourAgreement::check(const MeasurementRow& row, const std::vector<double>& wavelengths_nm,
                             const measure::Conditions& conditions) {
     const bool has_spectrum = !row.reflectance_factor.empty();
-    const std::vector<Statement> all = statements_of(
-        row,
-        measure::white_point(has_spectrum ? wavelengths_nm : std::vector<double>{}, conditions));
+    std::vector<Vec3d> whites = {measure::white_point({}, conditions)};
+    if (has_spectrum)
+        whites.insert(whites.begin(), measure::white_point(wavelengths_nm, conditions));
+    const std::vector<Statement> all = statements_of(row, whites);
     const auto compare = [&](const Statement& counts, const Statement& other, double tolerance,
                              const std::string& where) {
         const double delta_e = spectra::delta_e_2000(counts.lab, other.lab);

@@ -16,7 +16,10 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 std::vector<std::string> contradictions(const std::string& text) {
-    return parse_measurement_file(text, "f.csv").contradictions;
+    std::vector<std::string> all;
+    for (const auto& of_sample : parse_measurement_file(text, "f.csv").contradictions)
+        all.insert(all.end(), of_sample.begin(), of_sample.end());
+    return all;
 }
 
 // L* = 50 is Y = 18.4187; the white is X = 94.81, Y = 100, Z = 107.32 (D65, 10 degrees) [cie-15-2018].
@@ -42,8 +45,28 @@ TEST(ColourAgreement, DigitsThatRoundAreNoContradiction) {
     EXPECT_THAT(
         contradictions(std::string(kXyzHeader) + "45as45,2.35,0.00,0.00,0.095,0.101,0.107\n"),
         ElementsAre(HasSubstr("X, Y, Z")));
-    // A hue to whole degrees moves b* by 0.5 here.
     EXPECT_THAT(contradictions("geometry;L;a;b;C;h\n45as45;50;60,0;0,5;60,0;0\n"), IsEmpty());
+}
+
+TEST(ColourAgreement, IsASamplesOwn) {
+    const auto file = parse_measurement_file(
+        "name,geometry,L,a,b,X,Y,Z\nA,45as45,50.0,0.0,0.0,17.46,18.42,19.77\n"
+        "B,45as45,55.0,0.0,0.0,17.46,18.42,19.77\n",
+        "f.csv");
+    ASSERT_EQ(file.samples.size(), 2u);
+    ASSERT_EQ(file.contradictions.size(), 2u);
+    EXPECT_THAT(file.contradictions[0], IsEmpty());
+    EXPECT_THAT(file.contradictions[1], ElementsAre(HasSubstr("f.csv:3:1")));
+}
+
+// Instruments state X, Y, Z by the tabulated white; sums over few wavelengths have another.
+TEST(ColourAgreement, TristimulusValuesMayBeOfEitherWhite) {
+    // L* = 50 of both, D65 and 10 degrees: 94.811, 100, 107.304.
+    const std::string header = "geometry,L,a,b,X,Y,Z,R420,R500,R580,R660\n45as45,50,0,0,";
+    const std::string grey = ",0.184187,0.184187,0.184187,0.184187\n";
+    EXPECT_THAT(contradictions(header + "17.463,18.419,19.764" + grey), IsEmpty());
+    EXPECT_THAT(contradictions(header + "19.463,18.419,19.764" + grey),
+                ElementsAre(HasSubstr("X, Y, Z")));
 }
 
 TEST(ColourAgreement, ChromaAndHueAreThoseOfTheColour) {

@@ -148,6 +148,19 @@ measure::Reading reading_of(const MeasurementRow& row, const std::vector<double>
 
 }  // namespace
 
+double last_digit(std::string_view text) {
+    const std::size_t mark = text.find_first_of(".,"), exponent = text.find_first_of("eE");
+    std::size_t decimals = 0;
+    if (mark != std::string_view::npos) {
+        const std::string_view after = text.substr(mark + 1);
+        decimals = std::min(after.find_first_not_of("0123456789"), after.size());
+    }
+    const double power = exponent == std::string_view::npos
+                             ? 0
+                             : parse_number(text.substr(exponent + 1)).value_or(0);
+    return std::pow(10.0, power - static_cast<double>(decimals));
+}
+
 std::optional<std::string> note_of_light(const std::string& filename, bool states_illuminant,
                                          bool states_observer,
                                          const measure::Conditions& conditions) {
@@ -228,11 +241,14 @@ class Member {
         for (const json& value : *found) values.push_back(as_number(value, key, range));
         return values;
     }
-    std::optional<Vec3d> triple(const char* key, const Range& range) const {
+    std::optional<WrittenColour> triple(const char* key, const Range& range) const {
         const std::vector<double> values = numbers(key, range, 3);
-        if (!find(key)) return std::nullopt;
+        const json* found = find(key);
+        if (!found) return std::nullopt;
         if (values.size() != 3) fail(key, "must have three numbers");
-        return Vec3d{values[0], values[1], values[2]};
+        double unit = 1;  // of all three: zeros at the end of one are left out
+        for (const json& value : *found) unit = std::min(unit, last_digit(value.dump()));
+        return WrittenColour{{values[0], values[1], values[2]}, {unit, unit, unit}};
     }
 
     const std::string& place() const { return place_; }
@@ -297,8 +313,14 @@ MeasurementRow read_reading(const Member& reading, std::size_t wavelengths) {
         reading.fail("reflectance_factor", fmt::format("has {} values for {} wavelengths",
                                                        row.reflectance_factor.size(), wavelengths));
     }
-    row.xyz = reading.triple("xyz", kMeasuredTristimulus);
-    row.lab = reading.triple("lab", kMeasuredColour);
+    if (const auto xyz = reading.triple("xyz", kMeasuredTristimulus)) {
+        row.xyz = xyz->values;
+        row.xyz_unit = xyz->unit;
+    }
+    if (const auto lab = reading.triple("lab", kMeasuredColour)) {
+        row.lab = lab->values;
+        row.lab_unit = lab->unit;
+    }
     return row;
 }
 
@@ -347,7 +369,7 @@ MeasurementFile parse_measurement_json(std::string_view text, const std::string&
             read.notes.push_back(*note);
         }
     }
-    read.contradictions = agreement.contradictions();
+    read.contradictions = {agreement.contradictions()};
     return read;
 }
 
@@ -461,16 +483,22 @@ measure::Measurement parse_measurement(std::string_view text, const std::string&
 
 SampleName split_sample_name(const std::filesystem::path& name) {
     const std::string text = name.string();
-    const auto exists = [](const std::string& path) {
+    const auto is_file = [](const std::string& path) {
         std::error_code none;
-        return std::filesystem::exists(std::filesystem::status(path, none));
+        const auto status = std::filesystem::status(path, none);
+        return std::filesystem::exists(status) && !std::filesystem::is_directory(status);
     };
-    if (exists(text)) return {name, ""};
-    std::size_t first = std::string::npos;  // of the marks with text on both sides
+    if (is_file(text)) return {name, ""};
+    std::size_t first = std::string::npos;                   // of the marks with text on both sides
+    const std::size_t folders = text.find_last_of('/') + 1;  // 0 where there are none
     for (std::size_t mark = text.size(); mark-- > 1;) {
         if (text[mark] != '#' || mark + 1 == text.size()) continue;
-        first = mark;
-        if (exists(text.substr(0, mark))) break;
+        // A folder may have a mark in its name, and a sample a slash: where no file decides, it is a folder.
+        if (mark > folders || first == std::string::npos) first = mark;
+        if (is_file(text.substr(0, mark))) {
+            first = mark;
+            break;
+        }
     }
     if (first == std::string::npos) return {name, ""};
     return {text.substr(0, first), text.substr(first + 1)};

@@ -33,6 +33,9 @@ struct WrittenColour {
     Vec3d values{}, unit{};
 };
 
+/// The unit of the last digit of a number: 0.01 of "1,25".
+double last_digit(std::string_view text);
+
 /// L*a*b* of lightness, chroma, and hue in degrees.
 Vec3d lab_of_lch(const Vec3d& lch);
 
@@ -82,9 +85,9 @@ struct MeasurementFile {
     std::vector<measure::Measurement> samples;  ///< one at least, in the order of the file
     /// What was decided that the file does not say, such as a scale in percent; each names the file.
     std::vector<std::string> notes = {};
-    /// Where columns contradict each other by more than what rounds, and which of them counts; each
+    /// By sample: where columns contradict each other by more than what rounds, and which of them counts; each
     /// names file and line.
-    std::vector<std::string> contradictions = {};
+    std::vector<std::vector<std::string>> contradictions = {};
 };
 
 inline constexpr std::size_t kMaxReadings = 100'000;
@@ -141,7 +144,7 @@ struct SampleName {
 };
 /// Takes the name apart. The file is the longest beginning that there is, the whole name or up to a
 /// '#', and the sample all that follows that mark, which may hold others; where there is no such file,
-/// the first mark divides. A mark at the beginning or the end is none.
+/// the first mark behind the folders divides. A mark at the beginning or the end is none.
 SampleName split_sample_name(const std::filesystem::path& name);
 
 /// @throws InputError as parse_measurement(), or if the file cannot be read

@@ -39,20 +39,6 @@ struct ReadingColumns {
     std::vector<double> wavelengths_nm = {};
 };
 
-/// The unit of the last digit of a number: 0.01 of "1,25".
-double last_digit(std::string_view text) {
-    const std::size_t mark = text.find_first_of(".,"), exponent = text.find_first_of("eE");
-    std::size_t decimals = 0;
-    if (mark != std::string_view::npos) {
-        const std::string_view after = text.substr(mark + 1);
-        decimals = std::min(after.find_first_not_of("0123456789"), after.size());
-    }
-    const double power = exponent == std::string_view::npos
-                             ? 0
-                             : parse_number(text.substr(exponent + 1)).value_or(0);
-    return std::pow(10.0, power - static_cast<double>(decimals));
-}
-
 class MeasurementTable {
  public:
     MeasurementTable(std::vector<CsvRow> rows, const std::string& filename,
@@ -105,17 +91,17 @@ class MeasurementTable {
                 file.notes.push_back(*note);
             }
         }
-        ColourAgreement agreement;
         std::vector<std::vector<MeasurementRow>> by_sample(names.size());
         for (std::size_t i = 0; i < readings.size(); ++i) {
             by_sample[sample_of[i]].push_back(std::move(readings[i]));
         }
         for (std::size_t i = 0; i < names.size(); ++i) {
             if (by_sample[i].empty()) continue;  // an empty row among them
+            ColourAgreement agreement;
             file.samples.push_back(assemble_measurement(names[i], conditions, wavelengths_nm_,
                                                         by_sample[i], agreement));
+            file.contradictions.push_back(agreement.contradictions());
         }
-        file.contradictions = agreement.contradictions();
         if (file.samples.empty()) throw InputError(filename_ + ": has a header, but no reading");
         return file;
     }

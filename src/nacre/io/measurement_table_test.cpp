@@ -111,6 +111,7 @@ TEST(MeasurementTable, AFileIsTakenApartFromTheSampleInIt) {
     EXPECT_EQ(split_sample_name("panels.csv").sample, "");
     EXPECT_EQ(split_sample_name("#1.csv").file, "#1.csv");
     EXPECT_EQ(split_sample_name("panels.csv#").file, "panels.csv#");
+    EXPECT_EQ(split_sample_name("line#1/panels.csv#Silver 2").file, "line#1/panels.csv");
 }
 
 TEST(MeasurementTable, ASampleAndAFileMayHaveTheMarkInTheirNames) {
@@ -128,6 +129,9 @@ TEST(MeasurementTable, ASampleAndAFileMayHaveTheMarkInTheirNames) {
     folder.write("p.csv#Red ", "x");
     EXPECT_EQ(parts("p.csv#Red #3"), Parts("p.csv#Red ", "3")) << "the longest file";
     EXPECT_EQ(parts("p.csv#Red "), Parts("p.csv#Red ", ""));
+    std::filesystem::create_directory(folder / "q");
+    folder.write("q#1.csv", "x");
+    EXPECT_EQ(parts("q#1.csv#A"), Parts("q#1.csv", "A")) << "a folder is no file";
     folder.write("a#b.csv", "x");
     EXPECT_EQ(parts("a#b.csv#c#d"), Parts("a#b.csv", "c#d"));
 }
@@ -194,7 +198,8 @@ TEST(MeasurementTable, PercentIsToldByColoursOfAnotherLight) {
     EXPECT_THAT(file.notes, ::testing::Contains(HasSubstr("the colours beside them are nearer")));
     EXPECT_THAT(file.notes,
                 ::testing::Contains(HasSubstr("does not state illuminant and observer")));
-    EXPECT_EQ(file.contradictions.size(), 1u);
+    ASSERT_EQ(file.contradictions.size(), 1u);
+    EXPECT_EQ(file.contradictions[0].size(), 1u);
 }
 
 TEST(MeasurementTable, AColourInPartSaysWhichColumnsBelongTogether) {

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "nacre/core/parallel.h"
 #include "nacre/render/direction_distribution.h"
 
 namespace nacre::render {
@@ -47,8 +48,8 @@ std::size_t cell_of(Vec3f direction, int wide, int high) {
     return static_cast<std::size_t>(row) * wide + column;
 }
 
-/// Over points in the rows and columns of a picture, two a pixel each way, or one of large ones: of what is
-/// linear between the middles of pixels their sum is exact, whichever pixels are bright and how near a pole.
+/// Over points in the rows and columns of a picture, two or more a pixel each way, or one of large ones: of
+/// what is linear between the middles of pixels they leave nothing out, however near a pole.
 std::vector<CellSums> sums_of_picture(const EnvironmentRadiance& environment, int width, int height,
                                       int scale) {
     constexpr int kLarge = 2048;
@@ -62,15 +63,26 @@ std::vector<CellSums> sums_of_picture(const EnvironmentRadiance& environment, in
         level.push_back(
             {static_cast<float>(std::cos(azimuth)), static_cast<float>(std::sin(azimuth))});
     }
+    // Points of one height lie in one row of cells, as the map keeps heights.
+    std::vector<std::vector<double>> zeniths(high);
     for (int row = 0; row < rows; ++row) {
         const double zenith = std::numbers::pi * (row + 0.5) / rows;
-        const auto sine = static_cast<float>(std::sin(zenith));
-        for (const Vec2f& along : level) {
-            const Vec3f d = {sine * along.x, sine * along.y, static_cast<float>(std::cos(zenith))};
-            const Coefficients c = environment.coefficients(d);
-            cells[cell_of(d, wide, high)].add(c, environment.luminance_of(c), sine);
-        }
+        const Vec3f d = {static_cast<float>(std::sin(zenith)), 0,
+                         static_cast<float>(std::cos(zenith))};
+        zeniths[cell_of(d, wide, high) / wide].push_back(zenith);
     }
+    parallel_for(0, zeniths.size(), [&](std::size_t cell_row) {
+        for (const double zenith : zeniths[cell_row]) {
+            const auto sine = static_cast<float>(std::sin(zenith)),
+                       cosine = static_cast<float>(std::cos(zenith));
+            for (const Vec2f& along : level) {
+                const Vec3f d = {sine * along.x, sine * along.y, cosine};
+                const Coefficients c = environment.coefficients(d);
+                const std::size_t column = cell_of(d, wide, high) % wide;
+                cells[cell_row * wide + column].add(c, environment.luminance_of(c), sine);
+            }
+        }
+    });
     return cells;
 }
 

@@ -48,7 +48,7 @@ struct PathOptions {
     bool smooth = false;  ///< PathLight::smooth is asked for
     /// Side of the patch over which one sample averages where a surface varies, in pixels.
     float footprint_pixels = 1;
-    /// Whether the flakes of surfaces that have them apart are sampled at the first hit; else
+    /// Whether the flakes of surfaces that sample them (BoundBsdf::samples_flakes) are at the first hit; else
     /// they are shown by each sample's own patch.
     bool sample_flakes = true;
 };

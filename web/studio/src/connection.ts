@@ -159,7 +159,8 @@ export class Connection {
     private sendStandard(asked: StandardText): void {
         if (!this.isOpen) return; // when there is a server
         const { csv, name } = asked;
-        const id = this.session.send("standard", { csv, name }, (message) => {
+        const { model } = this.store.get().settings;
+        const id = this.session.send("standard", { csv, name, model }, (message) => {
             this.session.forget(id);
             const isNew = asked === this.standardAsked;
             if (isNew) this.standardAsked = null;

@@ -213,7 +213,7 @@ TEST(NacreFlakeSampling, DirectionsGoWithTheWeightsOfFlakes) {
 }
 
 // However many species there are, none of their flakes is forgotten: some ten of each are sampled.
-TEST(NacreFlakeSampling, FlakesOfManySpeciesAreAllAsked) {
+TEST(NacreFlakeSampling, FlakesOfManySpeciesAreAllSampled) {
     std::vector<paint::FlakeSpecies> species;
     constexpr int kSpecies = 64;
     for (int s = 0; s < kSpecies; ++s) {
@@ -255,7 +255,7 @@ TEST(NacreFlakeSampling, TheSpecularReflectionIsThatOfTheLowerNumbers) {
     }
 }
 
-TEST(NacreFlakeSampling, WhatIsLeftDoesNotDependOnWhoAsks) {
+TEST(NacreFlakeSampling, WhatIsLeftDoesNotDependOnWhoSamplesFlakes) {
     for (const bool rough : {false, true}) {
         SCOPED_TRACE(rough);
         const SparklingModel& model = model_with_every_feature(rough);
