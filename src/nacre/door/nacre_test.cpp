@@ -309,8 +309,12 @@ TEST(Appearance, PatchesShowTheirOwnFlakes) {
 }
 
 TEST(Appearance, ValuesAloneAreThoseOfTheWholeSurface) {
-    for (const char* name : {"ruby", "satin-silver"}) {
-        const Paint paint = open(find_paint(name));
+    // Smooth, rough and with flakes that lean.
+    for (const auto& [name, tilt_deg] :
+         {std::pair{"ruby", 0.0}, {"satin-silver", 0.0}, {"metallic-silver", 5.0}}) {
+        paint::Recipe recipe = open(find_paint(name)).recipe();
+        if (tilt_deg > 0) recipe.lean = paint::FlakeLean{tilt_deg, 0};
+        const Paint paint(recipe);
         for (const Model& model : {Model(NacreModel{}), Model(NacreModel{.hot_spot = false})}) {
             const PaintBrdf alone = paint.brdf({.model = model});
             const auto look = paint.appearance(model);  // brdf() takes it as long as it is there

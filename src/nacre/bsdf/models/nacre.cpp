@@ -169,7 +169,8 @@ Nacre::Nacre(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel&
     SharedProgress work(progress, 1);
     work.add(0);
     auto tables = std::make_shared<Tables>(std::move(paint), settings, wanted, work);
-    if (wanted == Wanted::all) {
+    // Flakes that lean are seen with their densities (LeaningFlakes).
+    if (wanted == Wanted::all || lean_) {
         tabulate_sampling(*tables->smooth, [&](const Wavelengths& wavelengths_nm) {
             return std::make_unique<const BoundNacre>(tables, wavelengths_nm);
         });

@@ -50,7 +50,8 @@ class Nacre final : public Bsdf, public SingleFlakes {
     explicit Nacre(std::shared_ptr<const solver::SolvedPaint> paint,
                    const NacreModel& settings = {}, const Progress& progress = {});
     /// A surface for its mean alone, bit for bit that of the whole, in a fraction of the time: it has
-    /// neither the films of single flakes nor tables to sample by. Only eval() may be asked of it.
+    /// neither the films of single flakes nor, unless they lean, tables to sample by: eval() alone may be
+    /// called, or bind_with_lean()'s.
     /// @throws as the constructor
     static std::shared_ptr<const Nacre> mean_alone(std::shared_ptr<const solver::SolvedPaint> paint,
                                                    const NacreModel& settings = {},
