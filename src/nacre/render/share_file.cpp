@@ -207,8 +207,9 @@ std::vector<std::pair<std::string, std::string>> identity_of(const PictureShare&
         if (key != "nacre:scene") all.emplace_back(key, value);  // a file may have several names
     }
     // They repeat the specimen among others.
-    std::ranges::stable_partition(
-        all, [](const auto& one) { return !one.first.starts_with("nacre:model_settings:"); });
+    std::stable_partition(all.begin(), all.end(), [](const auto& one) {
+        return !one.first.starts_with("nacre:model_settings:");
+    });
     all.emplace_back("scene_sha256", share.scene_sha256);
     return all;
 }

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <ranges>
 #include <variant>
 
 #include "nacre/core/file.h"
@@ -247,8 +245,13 @@ std::map<std::string, std::string> Scene::metadata(const RenderSettings& setting
     for (const auto& [name, hash] : recipe_sha256_) all["nacre:recipe_sha256:" + name] = hash;
     for (const auto& [name, text] : model_settings_) all["nacre:model_settings:" + name] = text;
     if (!turned_deg_.empty()) {
-        all["nacre:turntable"] = fmt::format("{}", fmt::join(std::views::keys(turned_deg_), ", "));
-        all["nacre:turn_deg"] = fmt::format("{}", fmt::join(std::views::values(turned_deg_), ", "));
+        std::string what, by;
+        for (const auto& [name, angle_deg] : turned_deg_) {
+            what += (what.empty() ? "" : ", ") + name;
+            by += fmt::format("{}{}", by.empty() ? "" : ", ", angle_deg);
+        }
+        all["nacre:turntable"] = what;
+        all["nacre:turn_deg"] = by;
     }
     return all;
 }
