@@ -78,29 +78,48 @@ DirectionDistribution::DirectionDistribution(int columns, int rows,
       row_cdf_(rows + 1),
       column_guide_(static_cast<std::size_t>(columns) * rows),
       row_guide_(rows) {
-    constexpr int kSubdivisions = 3;  // squared: evaluations per cell
-    std::vector<double> cell(density_.size()), row_total(rows);
-    double sphere = 0, all = 0;  // Int brightness d omega and Int d omega, for the mean
-    for (int r = 0; r < rows; ++r) {
+    // Points of a cell in each direction. Those next to it in the cells around it count as well: an
+    // edge that comes into it less far than its first points would have no density there, and light
+    // that only few samples of surfaces find.
+    constexpr int kAcross = 3;
+    const int points = columns * kAcross;
+    // Of a row of points: Int brightness d omega and Int d omega over what counts for each cell.
+    std::vector<double> cell(density_.size()), angles(density_.size());
+    std::vector<double> point_sum(points), point_angle(points), row_sum(columns),
+        row_angle(columns);
+    double sphere = 0, all = 0;  // the same over the sphere, for the mean
+    for (int row = 0; row < rows * kAcross; ++row) {
+        for (int i = 0; i < points; ++i) {
+            const Vec3f direction =
+                from_square(Vec2f{(i + 0.5f) / static_cast<float>(points),
+                                  (row + 0.5f) / static_cast<float>(rows * kAcross)});
+            point_angle[i] = 1 / jacobian(direction);
+            point_sum[i] = brightness(direction) * point_angle[i];
+            all += point_angle[i];
+            sphere += point_sum[i];
+        }
         for (int c = 0; c < columns; ++c) {
-            double sum = 0, angles = 0;
-            for (int k = 0; k < kSubdivisions * kSubdivisions; ++k) {
-                const Vec2f square{(c + (k % kSubdivisions + 0.5f) / kSubdivisions) / columns,
-                                   (r + (k / kSubdivisions + 0.5f) / kSubdivisions) / rows};
-                const Vec3f direction = from_square(square);
-                const double angle = 1 / jacobian(direction);
-                sum += brightness(direction) * angle;
-                angles += angle;
+            row_sum[c] = row_angle[c] = 0;
+            for (int i = c * kAcross - 1; i <= (c + 1) * kAcross; ++i) {
+                const int around = (i + points) % points;
+                row_sum[c] += point_sum[around];
+                row_angle[c] += point_angle[around];
             }
-            const std::size_t at = static_cast<std::size_t>(r) * columns + c;
-            cell[at] = sum;
-            brightness_[at] = static_cast<float>(sum / angles);
-            all += angles;
-            sphere += sum;
+        }
+        const int first = std::max((row - 1) / kAcross, 0),
+                  last = std::min((row + 1) / kAcross, rows - 1);
+        for (int r = first; r <= last; ++r) {
+            for (int c = 0; c < columns; ++c) {
+                cell[static_cast<std::size_t>(r) * columns + c] += row_sum[c];
+                angles[static_cast<std::size_t>(r) * columns + c] += row_angle[c];
+            }
         }
     }
+    for (std::size_t i = 0; i < cell.size(); ++i) {
+        brightness_[i] = static_cast<float>(cell[i] / angles[i]);
+    }
     mean_ = static_cast<float>(sphere / all);
-    std::vector<double> weights(columns);
+    std::vector<double> weights(columns), row_total(rows);
     for (int r = 0; r < rows; ++r) {
         std::copy_n(cell.begin() + static_cast<std::ptrdiff_t>(r) * columns, columns,
                     weights.begin());

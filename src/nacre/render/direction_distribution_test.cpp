@@ -115,6 +115,34 @@ TEST(DirectionDistribution, SamplesFollowThePdf) {
     EXPECT_LT(statistic, cells - 1 + 5 * std::sqrt(2.0 * (cells - 1)));
 }
 
+// A hard-edged lamp in the dark, moved in steps over a cell (360 / 64 deg by 1 / 16 in height): wherever
+// it shines there is density, if only that of its corner that is next to one of a cell's 25 points.
+TEST(DirectionDistribution, FindsTheRimOfAHardLamp) {
+    for (int step = 0; step < 20; ++step) {
+        const float shift = 0.0025f * static_cast<float>(step);
+        const auto lamp = [shift](Vec3f d) {
+            return d.x > 0 && std::abs(d.y - 0.3f - shift) < 0.14f && std::abs(d.z - shift) < 0.09f
+                       ? 1.0f
+                       : 0.0f;
+        };
+        const DirectionDistribution t(64, 32, lamp);
+        float worst = 0, sum = 0;
+        constexpr int kSide = 400;
+        for (int i = 0; i < kSide * kSide; ++i) {
+            const float y = 0.3f + shift + 0.28f * ((i % kSide + 0.5f) / kSide - 0.5f),
+                        z = shift + 0.18f * ((i / kSide + 0.5f) / kSide - 0.5f);
+            const float x = std::sqrt(1 - y * y - z * z);
+            const float pdf = t.pdf(Vec3f{x, y, z});
+            ASSERT_GT(pdf, 0) << step;
+            const float weight = 1 / pdf;  // per solid angle of dy dz / x
+            worst = std::max(worst, weight);
+            sum += 1 / x;
+        }
+        const float lamp_sr = sum * 0.28f * 0.18f / (kSide * kSide);
+        EXPECT_LT(worst, 25 * 1.6f * lamp_sr) << step;
+    }
+}
+
 TEST(DirectionDistribution, BlackEnvironmentIsSampledUniformly) {
     const DirectionDistribution t(8, 4, [](Vec3f) { return 0.0f; });
     EXPECT_EQ(t.mean_brightness(), 0);
