@@ -201,6 +201,34 @@ TEST(SparkleInPictures, OfWavyFlakesTheNoiseIsBelowAThirdOfTheContrast) {
     }
 }
 
+// Grey flakes under a lamp with lines are as bright as under daylight, in the lamp's colour: samples that
+// draw from flakes have wavelengths as even as the rest, whatever their number.
+TEST(SparkleInPictures, HasTheColourOfALampWithLines) {
+    const auto surface =
+        testing::nacre_surface(testing::recipe_of({.diameter_um = 20, .cover = 0.8}), 1);
+    const auto mean = [](const std::vector<float>& rgb) {
+        Vec3d sum{};
+        for (std::size_t i = 0; i < rgb.size(); ++i)
+            sum[static_cast<int>(i % 3)] += 3.0 * rgb[i] / static_cast<double>(rgb.size());
+        return sum;
+    };
+    const auto under = [&](spectra::Illuminant illuminant, int samples) {
+        render::SceneDescription scene = panel({"sky", true}, 0.3);
+        scene.environment = render::ConstantEnvironment{.radiance = {illuminant}};
+        return mean(picture(render::Scene(scene, {{"paint", surface}}), samples, 1));
+    };
+    render::SceneDescription empty;
+    empty.environment = render::ConstantEnvironment{.radiance = {spectra::Illuminant::FL11}};
+    const Vec3d lamp = mean(picture(render::Scene(empty, {}), 4096, 1));
+    for (const int samples : {16, 64, 100}) {
+        const Vec3d found = under(spectra::Illuminant::FL11, samples),
+                    daylight = under(spectra::Illuminant::D65, samples);
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_NEAR(found[c] / (daylight[c] * lamp[c]), 1, 0.006) << samples << " " << c;
+        }
+    }
+}
+
 // Seeds sample one panel; specimens are others.
 TEST(SparkleInPictures, DependsOnTheSpecimenAndNotOnTheSeed) {
     const paint::Recipe recipe = testing::recipe_of({.diameter_um = 20, .cover = 0.8});

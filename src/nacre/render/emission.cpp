@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "nacre/spectra/colour.h"
 
@@ -23,6 +24,21 @@ double integrate_with_luminosity(F&& f) {
     return sum;
 }
 
+/// Of the whole numbers without a common divisor with `count`, so that its multiples meet all places, the one
+/// nearest to the golden section of it.
+std::uint32_t lattice_step(std::uint32_t count) {
+    const double golden = 0.61803398874989484820 * count;  // (sqrt(5) - 1) / 2
+    const auto below = static_cast<std::uint32_t>(golden);
+    for (std::uint32_t away = 0; away <= below; ++away) {
+        const std::uint32_t down = below - away, up = below + 1 + away;
+        const bool up_is_nearer = up - golden < golden - down;
+        for (const std::uint32_t step : {up_is_nearer ? up : down, up_is_nearer ? down : up}) {
+            if (std::gcd(step, count) == 1) return step;
+        }
+    }
+    return 1;
+}
+
 double luminosity_integral() {
     static const double integral = integrate_with_luminosity([](double) { return 1.0; });
     return integral;
@@ -30,10 +46,9 @@ double luminosity_integral() {
 
 }  // namespace
 
-bsdf::Wavelengths film_wavelengths(std::uint32_t sample_index) {
-    constexpr double kGoldenRatio = 0.61803398874989484820;  // (sqrt(5) - 1) / 2
-    double whole;
-    const double offset = std::modf(0.5 + sample_index * kGoldenRatio, &whole);
+bsdf::Wavelengths film_wavelengths(std::uint32_t pass, std::uint32_t passes) {
+    const std::uint64_t place = pass * std::uint64_t{lattice_step(passes)} % passes;
+    const double offset = (static_cast<double>(place) + 0.5) / passes;
     bsdf::Wavelengths nm;
     for (int i = 0; i < kLanes; ++i) nm[i] = kFilmFirst_nm + (i + offset) * kLaneSpacing_nm;
     return nm;

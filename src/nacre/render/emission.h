@@ -16,10 +16,14 @@ namespace nacre::render {
 inline constexpr double kFilmFirst_nm = 400;
 inline constexpr double kFilmLast_nm = 700;
 
-/// Eight wavelengths with even spacing, offset as a whole by a golden-ratio sequence over the
-/// sample index. All pixels share those of a sample: surfaces are bound to wavelengths once for a
-/// whole pass over the picture, and colour noise from the choice of wavelengths is absent.
-bsdf::Wavelengths film_wavelengths(std::uint32_t sample_index);
+/// Eight wavelengths with even spacing, offset as a whole. The offsets of all passes are evenly spaced
+/// too, and those of the passes up to any one nearly so, as they follow one another by the golden ratio,
+/// or what is next to it of such a lattice: the lines of a lamp have their light in full. All pixels share
+/// those of a pass: surfaces are bound to wavelengths once for a whole pass over the picture, and colour
+/// noise from the choice of wavelengths is absent.
+/// @param pass  in [0, passes)
+/// @param passes  >= 1; as many as a picture has in all, or of those that draw from flakes, or of the others
+bsdf::Wavelengths film_wavelengths(std::uint32_t pass, std::uint32_t passes);
 
 /// Weights that turn radiance at `wavelengths_nm` into an estimate of X, Y and Z (CIE 1931, 2 deg),
 /// such that a constant radiance of 1 has Y = 1 on average.

@@ -26,7 +26,7 @@ TEST(Emission, EqualEnergySpectrumHasUnitXyzInTheMeanOverPasses) {
     constexpr int kPasses = 1024;
     double mean[3] = {};
     for (int k = 0; k < kPasses; ++k) {
-        const XyzWeights weights = film_xyz_weights(film_wavelengths(k));
+        const XyzWeights weights = film_xyz_weights(film_wavelengths(k, kPasses));
         for (int c = 0; c < 3; ++c) mean[c] += lane_sum(weights[c]) / kPasses;
     }
     EXPECT_NEAR(mean[0], 1, 5e-3);
@@ -35,7 +35,7 @@ TEST(Emission, EqualEnergySpectrumHasUnitXyzInTheMeanOverPasses) {
 }
 
 TEST(Emission, WeightsAreProportionalToTheObserver) {
-    const bsdf::Wavelengths nm = film_wavelengths(5);
+    const bsdf::Wavelengths nm = film_wavelengths(5, 8);
     const XyzWeights weights = film_xyz_weights(nm);
     const auto observer = spectra::Observer::cie1931_2deg;
     const double scale = weights[1][4] / spectra::colour_matching(observer, nm[4])[1];
@@ -56,6 +56,40 @@ TEST(Emission, D65IsWhiteFromTheFirstSample) {
     for (int samples : {1, 3, 64}) {
         for (float value : picture_of(ConstantEnvironment{}, samples).rgb) {
             EXPECT_NEAR(value, 1, 2e-6) << samples;
+        }
+    }
+}
+
+TEST(Emission, LampsWithLinesHaveTheirLightInFull) {
+    for (const auto illuminant : {spectra::Illuminant::FL2, spectra::Illuminant::FL11}) {
+        EmissionBasis basis;
+        basis.add(unit_illuminant(illuminant));
+        for (const std::uint32_t passes : {16u, 61u, 64u, 100u, 256u, 1000u}) {
+            double luminance = 0;
+            for (std::uint32_t pass = 0; pass < passes; ++pass) {
+                const bsdf::Wavelengths nm = film_wavelengths(pass, passes);
+                luminance += lane_sum(film_xyz_weights(nm)[1] * basis.at(nm)[0]) / passes;
+            }
+            // By the squared distance of the wavelengths, 2.3 nm of 16 passes, and that of
+            // film_luminance()'s, 1 nm.
+            EXPECT_NEAR(luminance, 1, 1.3 / (double(passes) * passes) + 5e-5) << passes;
+        }
+    }
+}
+
+// As many as there are, each once, and none far from where an even spacing would have it before.
+TEST(Emission, WavelengthsOfPassesAreEven) {
+    for (const std::uint32_t passes : {1u, 2u, 3u, 6u, 16u, 30u, 64u, 210u, 4096u, 30030u}) {
+        const double spacing_nm = (kFilmLast_nm - kFilmFirst_nm) / kLanes / passes;
+        std::vector<double> first;
+        for (std::uint32_t pass = 0; pass < passes; ++pass) {
+            const bsdf::Wavelengths nm = film_wavelengths(pass, passes);
+            first.push_back(nm[0] - kFilmFirst_nm);
+            EXPECT_NEAR(nm[kLanes - 1] - nm[0], (kFilmLast_nm - kFilmFirst_nm) * 7 / 8, 1e-3);
+        }
+        std::sort(first.begin(), first.end());
+        for (std::uint32_t i = 0; i < passes; ++i) {
+            EXPECT_NEAR(first[i], (i + 0.5) * spacing_nm, 1e-3) << passes;
         }
     }
 }
@@ -167,7 +201,7 @@ TEST(Sky, BrightnessIsThatOfClearDays) {
 TEST(Sky, IsBlueAboveAndTheLowSunIsRed) {
     const Sky sky({.sun_elevation_deg = 5});
     const auto red_over_blue = [&](const spectra::Spectrum& s) { return s(650) / s(450); };
-    const auto nm = film_wavelengths(0);
+    const auto nm = film_wavelengths(0, 1);
     const auto basis = sky.basis.at(nm);
     const FloatLanes zenith = sky.compiled.radiance->radiance({0, 0, 1}, basis.data());
     EXPECT_GT(zenith[1], 1.5f * zenith[6]);
@@ -185,7 +219,7 @@ TEST(Sky, RadianceHasTheLuminanceThatGuidesSampling) {
             double luminance = 0;
             constexpr int kPasses = 64;
             for (int k = 0; k < kPasses; ++k) {
-                const auto nm = film_wavelengths(k);
+                const auto nm = film_wavelengths(k, kPasses);
                 const auto basis = sky.basis.at(nm);
                 luminance += lane_sum(film_xyz_weights(nm)[1] *
                                       sky.compiled.radiance->radiance(d, basis.data())) /
@@ -212,7 +246,7 @@ TEST(Sky, SpreadOutForMirrorsItGivesAsMuchLight) {
                                            Environment(image), Environment(studio)}) {
         EmissionBasis basis;
         const LightSet lights({}, environment, {}, 1, basis);
-        const bsdf::Wavelengths nm = film_wavelengths(0);
+        const bsdf::Wavelengths nm = film_wavelengths(0, 1);
         const XyzWeights xyz = film_xyz_weights(nm);
         const auto spectra = basis.at(nm);
         const auto luminance = [&](const FloatLanes& l) { return lane_sum(xyz[1] * l); };
@@ -258,7 +292,7 @@ TEST(Sky, EveryDirectionIsFiniteForEveryTurbidityAndSun) {
     for (double turbidity : {1.7, 3.0, 6.0, 10.0}) {
         for (double sun : {0.0, 1.0, 30.0, 90.0}) {
             const Sky sky({.sun_elevation_deg = sun, .turbidity = turbidity});
-            const auto basis = sky.basis.at(film_wavelengths(3));
+            const auto basis = sky.basis.at(film_wavelengths(3, 4));
             for (double elevation = -90; elevation <= 90; elevation += 7.5) {
                 const FloatLanes l = sky.compiled.radiance->radiance(
                     direction_from_angles(17 * elevation, elevation), basis.data());

@@ -71,9 +71,9 @@ std::optional<FlakeAt> chosen(const std::vector<FloatLanes>& parts, const FloatL
 
 }  // namespace
 
-Pass::Pass(const CompiledScene& scene, std::uint32_t index)
+Pass::Pass(const CompiledScene& scene, std::uint32_t index, const bsdf::Wavelengths& nm)
     : sample_index(index),
-      wavelengths_nm(film_wavelengths(index)),
+      wavelengths_nm(nm),
       xyz_weights(film_xyz_weights(wavelengths_nm)),
       emission(scene.emission.at(wavelengths_nm)) {
     static const spectra::Spectrum d65_spectrum = unit_illuminant(spectra::Illuminant::D65);

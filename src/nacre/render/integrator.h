@@ -19,7 +19,8 @@ enum class DirectLight { combined, surface_sampling, light_sampling };
 
 /// What depends on the wavelengths of a pass over the picture, worked out once for all its paths.
 struct Pass {
-    Pass(const CompiledScene& scene, std::uint32_t sample_index);
+    Pass(const CompiledScene& scene, std::uint32_t sample_index,
+         const bsdf::Wavelengths& wavelengths_nm);
 
     std::uint32_t sample_index;
     bsdf::Wavelengths wavelengths_nm;

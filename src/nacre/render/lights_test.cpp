@@ -32,7 +32,7 @@ TEST(LightSet, EightDrawsAreThoseOfEach) {
     int sky = 0, rectangle = 0, unseen = 0, directional = 0;
     for (const Environment& environment : kSurroundings) {
         const Lit lit(environment);
-        const auto spectra = lit.basis.at(film_wavelengths(0));
+        const auto spectra = lit.basis.at(film_wavelengths(0, 1));
         for (const bool alone : {false, true}) {
             for (std::uint32_t i = 0; i < 500; ++i) {
                 const PathSampler::Threes u = PathSampler(1, 5, i).draw_refined(0);
@@ -75,7 +75,7 @@ TEST(LightSet, TheGuessIsNearWhatShinesThere) {
         const Lit lit(environment);
         int near = 0, all = 0;
         for (std::uint32_t pass = 0; pass < 64; ++pass) {
-            const bsdf::Wavelengths nm = film_wavelengths(pass);
+            const bsdf::Wavelengths nm = film_wavelengths(pass, 64);
             const auto spectra = lit.basis.at(nm);
             const PathSampler::Threes u = PathSampler(1, 6, pass).draw_refined(0);
             for (const bool alone : {false, true}) {
@@ -104,7 +104,7 @@ TEST(LightSet, WhatShinesIsNotTakenForBlack) {
             .zenith = 0,
             .boxes = {{.azimuth_deg = 33, .width_deg = side_deg, .height_deg = side_deg}}};
         const Lit lit(studio);
-        const auto spectra = lit.basis.at(film_wavelengths(0));
+        const auto spectra = lit.basis.at(film_wavelengths(0, 1));
         const auto in_full = [](const auto&) { return 1.0f; };
         const Frame frame = Frame::around(direction_from_angles(33, 45));
         int shine = 0;
@@ -136,7 +136,7 @@ TEST(LightSet, SamplesALampInABlackRoom) {
                                                       .softness = 0}}};
             EmissionBasis basis;
             const LightSet lights({}, studio, {}, 100, basis);
-            const auto spectra = basis.at(film_wavelengths(0));
+            const auto spectra = basis.at(film_wavelengths(0, 1));
             int met = 0;
             for (std::uint32_t i = 0; i < 200; ++i) {
                 const auto u = PathSampler(1, 8, i).draw(0);
@@ -164,7 +164,7 @@ TEST(LightSet, APictureSpreadOutGivesAsMuchLight) {
         const float brightest = 4096;
         for (int c = 0; c < 3; ++c) picture.rgb[3 * (row * kWidth + 100) + c] = brightest;
         const Lit lit(picture);
-        const auto spectra = lit.basis.at(film_wavelengths(0));
+        const auto spectra = lit.basis.at(film_wavelengths(0, 1));
         double spread = 0, as_it_is = 0;
         for (int r = 0; r < kFiner * kHeight; ++r) {
             const double zenith = std::numbers::pi * (r + 0.5) / (kFiner * kHeight);
@@ -189,11 +189,11 @@ TEST(LightSet, NoLightHasLessThanTheCommonColour) {
     const auto common = [](const std::vector<Light>& lamps, const Environment& environment) {
         EmissionBasis basis;
         const LightSet lights(lamps, environment, {}, 100, basis);
-        return lights.common_colour(basis.at(film_wavelengths(0)).data());
+        return lights.common_colour(basis.at(film_wavelengths(0, 1)).data());
     };
     const auto colour = [](spectra::Illuminant illuminant) {
         const spectra::Spectrum spectrum = unit_illuminant(illuminant);
-        const bsdf::Wavelengths nm = film_wavelengths(0);
+        const bsdf::Wavelengths nm = film_wavelengths(0, 1);
         return make_lanes([&](int k) { return static_cast<float>(spectrum(nm[k])); });
     };
     const FloatLanes d65 = colour(spectra::Illuminant::D65), a = colour(spectra::Illuminant::A);
@@ -213,7 +213,7 @@ TEST(LightSet, NoLightHasLessThanTheCommonColour) {
 TEST(LightSet, BesideSurfacesAnEvenSkyIsNotSampled) {
     EmissionBasis basis;
     const LightSet lights({}, ConstantEnvironment{}, {}, 100, basis);
-    const auto spectra = basis.at(film_wavelengths(0));
+    const auto spectra = basis.at(film_wavelengths(0, 1));
     for (std::uint32_t i = 0; i < 100; ++i) {
         const auto u = PathSampler(1, 7, i).draw(0);
         EXPECT_FALSE(lights.sample(kPoint_mm, u[4], {u[0], u[1]}, spectra.data(), false));

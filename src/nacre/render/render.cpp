@@ -185,9 +185,18 @@ class Renderer {
         return !cut;
     }
 
-    std::uint32_t sample_of_pass(int pass) const {
-        return flakes_show_ ? strata_.sample_of_pass(pass, options_.samples_per_pixel)
-                            : static_cast<std::uint32_t>(pass);
+    /// @param number  in [0, samples per pixel)
+    std::unique_ptr<const Pass> pass(const CompiledScene& scene, int number) const {
+        const auto count = static_cast<std::uint32_t>(options_.samples_per_pixel);
+        const auto of_flakes = flakes_show_ ? static_cast<std::uint32_t>(strata_.count()) : 0;
+        const std::uint32_t sample =
+            flakes_show_ ? strata_.sample_of_pass(number, options_.samples_per_pixel)
+                         : static_cast<std::uint32_t>(number);
+        // The light of flakes, which come from the first samples alone, has wavelengths as even as the rest.
+        return std::make_unique<const Pass>(
+            scene, sample,
+            sample < of_flakes ? film_wavelengths(sample, of_flakes)
+                               : film_wavelengths(sample - of_flakes, count - of_flakes));
     }
     RenderResult develop() const { return film_.develop(); }
     FilmSums take_sums() { return film_.take_sums(); }
@@ -268,8 +277,7 @@ bool run_passes(const CompiledScene& scene, const std::vector<Renderer*>& render
         try {
             parallel_for_ranges(0, passes.size(), 1, [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i) {
-                    passes[i] = std::make_unique<const Pass>(
-                        scene, renderers[0]->sample_of_pass(first + static_cast<int>(i)));
+                    passes[i] = renderers[0]->pass(scene, first + static_cast<int>(i));
                 }
             });
         } catch (const Stopped&) {

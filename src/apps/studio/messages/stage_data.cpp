@@ -61,15 +61,16 @@ Vec3d rgb_of_light(const spectra::Spectrum& radiance) {
     return spectra::xyz_to_linear_rec709(light);
 }
 
-/// The same as it stands in a picture of so many samples a pixel: by their wavelengths. Lines of a
-/// lamp fall between them or on them.
+/// The same as it stands in a picture of so many samples a pixel: by their wavelengths. Of few
+/// samples lines of a lamp fall between them or on them.
 Vec3d rgb_in_picture(const spectra::Spectrum& radiance, int samples) {
     if (samples == 0) return rgb_of_light(radiance);
     const spectra::Spectrum d65 = render::unit_illuminant(spectra::Illuminant::D65);
     const Vec3d white = spectra::linear_rec709_to_xyz({1, 1, 1});
     Vec3d light{}, of_white{};
     for (int sample = 0; sample < samples; ++sample) {
-        const bsdf::Wavelengths nm = render::film_wavelengths(static_cast<std::uint32_t>(sample));
+        const bsdf::Wavelengths nm = render::film_wavelengths(static_cast<std::uint32_t>(sample),
+                                                              static_cast<std::uint32_t>(samples));
         const render::XyzWeights weights = render::film_xyz_weights(nm);
         for (int lane = 0; lane < kLanes; ++lane) {
             for (int c = 0; c < 3; ++c) {
