@@ -9,6 +9,7 @@
 
 #include "apps/cli/files.h"
 #include "apps/cli/instrument_options.h"
+#include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
 #include "apps/cli/paint_options.h"
 #include "apps/report/svg_raster.h"
@@ -31,6 +32,7 @@ struct AtlasOptions : CommonOptions {
     std::string values = "20:200:5";
     std::string lamp = "45", aspecular = "15,25,45,75,110";
     InstrumentOptions instrument;  // illuminant and observer
+    ModelOptions model;            // of a recipe; if none is chosen, the solution itself is read
 };
 
 enum class Format { csv, svg, png };
@@ -124,9 +126,21 @@ datasheet::Atlas atlas_of_recipe(const AtlasOptions& options, const Progress& pr
     const std::vector<double> values = parse_numbers("--values", options.values, Range{});
     const std::vector<measure::Geometry> geometries = parse_angles(options);
     const measure::Conditions conditions = parse_conditions(options.instrument);
+    datasheet::RecipeReader read;
+    if (choice_of_any(options.model)) {
+        const MeasureSettings settings{.model = model_for({&paint}, options.model, true),
+                                       .illuminant = conditions.illuminant,
+                                       .observer = conditions.observer};
+        read = [settings, geometries](const paint::Recipe& changed, const Progress& ask) {
+            return Paint(changed).measure(geometries, settings, ask).measurement;
+        };
+    }
     try {
-        return datasheet::recipe_atlas(paint.recipe(), key, values, geometries,
-                                       spectra::default_wavelengths_nm(), conditions, progress);
+        datasheet::Atlas atlas =
+            datasheet::recipe_atlas(paint.recipe(), key, values, geometries,
+                                    spectra::default_wavelengths_nm(), conditions, progress, read);
+        if (read) atlas.caption += fmt::format(", by the model {}", options.model.model);
+        return atlas;
     } catch (const DomainError& error) {
         throw InputError(options.recipe + ": " + error.what());
     }
@@ -144,6 +158,9 @@ void check_choice(const AtlasOptions& options, const CLI::App& command) {
             throw UsageError(fmt::format("{} belongs to {}", option,
                                          options.recipe.empty() ? "--recipe" : "--film"));
         }
+    }
+    if (const auto choice = choice_of_any(options.model); choice && options.recipe.empty()) {
+        throw UsageError(*choice + ": belongs to --recipe");
     }
     if (!options.recipe.empty() && options.key.empty()) {
         throw UsageError("--recipe needs --key: which of its numbers is to vary");
@@ -229,6 +246,7 @@ Command add_atlas(CLI::App& program) {
                         "The whole paint instead of one flake: a recipe, solved for each value");
     command->add_option("--key", options->key,
                         "Number of the recipe that varies, as in coats[0].thickness_nm");
+    add_model_options(*command, options->model);
     add_table_output(*command, *options);
     add_input_options(*command, *options);
     add_set(*command, *options);

@@ -55,6 +55,33 @@ TEST_F(Atlas, VariesANumberOfARecipe) {
     EXPECT_LT(number(outcome.out, 2, 3), number(outcome.out, 4, 3));
 }
 
+TEST_F(Atlas, ReadsARecipeByTheModelThatIsChosen) {
+    const std::string atlas =
+        "atlas --recipe gray.toml --key alpha --values 0.2 --aspecular 15,75 ";
+    const std::string by_solution = nacre(atlas).out;
+    for (const char* model : {"microflake", "nacre", "nacre --no-hot-spot"}) {
+        const Outcome read = nacre(atlas + "--model " + model);
+        EXPECT_EQ(read.status, 0) << read.err;
+        const Outcome measured = nacre(std::string("measure gray.toml --set alpha=0.2 --geometry "
+                                                   "45as15,45as75 --format csv --model ") +
+                                       model);
+        EXPECT_EQ(measured.status, 0) << measured.err;
+        for (const int line : {1, 2}) {
+            for (const int column : {3, 4, 5}) {  // L, a, b
+                EXPECT_NEAR(number(read.out, line, column), number(measured.out, line, column),
+                            2e-4)
+                    << model << " " << line << " " << column;
+            }
+        }
+        EXPECT_NEAR(number(read.out, 2, 3), number(by_solution, 2, 3), 5) << model;
+    }
+    EXPECT_NE(nacre(atlas + "--model nacre").out, nacre(atlas + "--model microflake").out);
+    EXPECT_THAT(nacre("atlas --film 2 --model nacre").err,
+                HasSubstr("--model = nacre: belongs to --recipe"));
+    EXPECT_EQ(nacre(atlas + "--model nacre -o m.svg").status, 0);
+    EXPECT_THAT(contents(folder_ / "m.svg"), HasSubstr("by the model nacre"));
+}
+
 TEST_F(Atlas, SaysWhatIsWrongWithAnAtlas) {
     const auto complaint = [&](const std::string& arguments, int status) {
         const Outcome outcome = nacre("atlas " + arguments);
