@@ -35,54 +35,92 @@ double beckmann_lambda(double cosine, double alpha) {
     return ((0.396 * a - 1.259) * a + 1) / ((2.181 * a + 3.535) * a);
 }
 
-/// Of lamp and view, and their half vector.
-struct CyclesDirections {
-    Vec3d l, v, h;
-};
-
 /// What is reflected about a normal, over the lamp's cosine with the surface.
-double glossy(const Vec3d& normal, const CyclesDirections& at, double alpha) {
+double glossy(const Vec3d& normal, const ShadingDirections& at, double alpha) {
     const double nl = dot(normal, at.l), nv = dot(normal, at.v);
     if (nl <= 0 || nv <= 0) return 0;
     const double seen = 1 / (1 + beckmann_lambda(nl, alpha) + beckmann_lambda(nv, alpha));
     return beckmann_distribution(dot(normal, at.h), alpha) * seen / (4 * nv * at.l.z);
 }
 
-}  // namespace
-
-Vec3d CyclesRamp::at(double place) const {
+/// The shares of the stops at a place in [0, 1].
+std::array<double, CyclesRamp::kStops> ramp_weights(double place) {
+    constexpr int kStops = CyclesRamp::kStops;
     const double x = place * (kStops - 1);
     const int k = std::clamp(static_cast<int>(x), 0, kStops - 2);
     const double t = x - k, s = 1 - t;
-    const auto stop = [&](int i) { return stops[std::clamp(i, 0, kStops - 1)]; };
-    return (s * s * s * stop(k - 1) + (4 - 6 * t * t + 3 * t * t * t) * stop(k) +
-            (4 - 6 * s * s + 3 * s * s * s) * stop(k + 1) + t * t * t * stop(k + 2)) /
-           6;
+    std::array<double, kStops> weights{};
+    const auto add = [&](int i, double w) { weights[std::clamp(i, 0, kStops - 1)] += w / 6; };
+    add(k - 1, s * s * s);
+    add(k, 4 - 6 * t * t + 3 * t * t * t);
+    add(k + 1, 4 - 6 * s * s + 3 * s * s * s);
+    add(k + 2, t * t * t);
+    return weights;
 }
 
-Vec3d cycles_brdf(const CyclesMaterial& m, double theta_i, double theta_o, double phi) {
-    const Vec3d l = {std::sin(theta_i), 0, std::cos(theta_i)};
-    const Vec3d v = {std::sin(theta_o) * std::cos(phi), std::sin(theta_o) * std::sin(phi),
-                     std::cos(theta_o)};
-    const CyclesDirections at{l, v, normalize(l + v)};
-    const double cosine = std::max(v.z, kMinViewCosine);
-    const double place = std::acos(cosine) / (0.5 * std::numbers::pi);
-    Vec3d f = std::numbers::inv_pi * m.diffuse;
-    for (const CyclesLobe& lobe : m.lobes) {
+Vec3d ramp_color(const CyclesRamp& ramp, const std::array<double, CyclesRamp::kStops>& weights) {
+    Vec3d color;
+    for (int k = 0; k < CyclesRamp::kStops; ++k) color += weights[k] * ramp.stops[k];
+    return color;
+}
+
+/// A lamp and a view, with what materials have in common there.
+class CyclesAt {
+ public:
+    explicit CyclesAt(const ShadingDirections& at)
+        : at_(at), cosine_(std::max(at.v.z, kMinViewCosine)) {
+        weights_ = ramp_weights(std::acos(cosine_) / (0.5 * std::numbers::pi));
+    }
+    Vec3d brdf(const CyclesMaterial& m);
+
+ private:
+    /// A lobe by its shape, without its colour.
+    struct Lobe {
+        double roughness = -1, widening = 0, lean = 0;
+        double reflected = 0;
+    };
+    double reflected(const CyclesLobe& lobe, Lobe& last) const;
+
+    ShadingDirections at_;
+    double cosine_;
+    std::array<double, CyclesRamp::kStops> weights_;
+    std::array<Lobe, CyclesMaterial::kLobes> last_;
+};
+
+double CyclesAt::reflected(const CyclesLobe& lobe, Lobe& last) const {
+    if (lobe.roughness != last.roughness || lobe.widening != last.widening ||
+        lobe.lean != last.lean) {
         const double alpha =
-            std::min(1.0, lobe.roughness * lobe.roughness * std::pow(cosine, -lobe.widening));
-        const double lean = lobe.lean * cosine;
-        f += glossy(normalize(Vec3d{lean * v.x, lean * v.y, 1}), at, alpha) * lobe.color.at(place);
+            std::min(1.0, lobe.roughness * lobe.roughness * std::pow(cosine_, -lobe.widening));
+        const double lean = lobe.lean * cosine_;
+        const Vec3d normal = normalize(Vec3d{lean * at_.v.x, lean * at_.v.y, 1});
+        last = {lobe.roughness, lobe.widening, lobe.lean, glossy(normal, at_, alpha)};
+    }
+    return last.reflected;
+}
+
+Vec3d CyclesAt::brdf(const CyclesMaterial& m) {
+    Vec3d f = std::numbers::inv_pi * m.diffuse;
+    for (int i = 0; i < CyclesMaterial::kLobes; ++i) {
+        f += reflected(m.lobes[i], last_[i]) * ramp_color(m.lobes[i].color, weights_);
     }
     if (m.coat) {
-        const double reflected = optics::dielectric_reflectance(1.0, m.coat_ior, v.z);
+        const double reflected = optics::dielectric_reflectance(1.0, m.coat_ior, at_.v.z);
         f = (1 - reflected) * f;
         if (m.coat_roughness > 0) {
             const double alpha = m.coat_roughness * m.coat_roughness;
-            f += reflected * glossy({0, 0, 1}, at, alpha) * Vec3d{1, 1, 1};
+            f += reflected * glossy({0, 0, 1}, at_, alpha) * Vec3d{1, 1, 1};
         }
     }
     return f;
+}
+
+}  // namespace
+
+Vec3d CyclesRamp::at(double place) const { return ramp_color(*this, ramp_weights(place)); }
+
+Vec3d cycles_brdf(const CyclesMaterial& material, double theta_i, double theta_o, double phi) {
+    return CyclesAt(shading_directions(theta_i, theta_o, phi)).brdf(material);
 }
 
 FormatModel cycles_model(bool coat, bool coat_is_rough, double coat_ior) {
@@ -110,10 +148,8 @@ FormatModel cycles_model(bool coat, bool coat_is_rough, double coat_ior) {
     model.coat_ior = coat_ior;
     model.across = true;
     model.trial_steps = 30;
-    model.brdf = [model](const std::vector<double>& values, double theta_i, double theta_o,
-                         double phi) {
-        return cycles_brdf(cycles_material(model, values), theta_i, theta_o, phi);
-    };
+    model.brdfs = brdfs_by<CyclesAt>(
+        [model](const std::vector<double>& values) { return cycles_material(model, values); });
     return model;
 }
 

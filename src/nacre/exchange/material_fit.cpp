@@ -3,6 +3,7 @@
 #include <ceres/ceres.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -23,59 +24,119 @@ constexpr measure::Conditions kRendererConditions{
     spectra::Illuminant::D65, spectra::Observer::cie1931_2deg, {}};
 
 /// From the unit cube, in which the fit moves.
+double value_at(const FormatParameter& p, double x) {
+    return p.lo + (p.hi - p.lo) * std::pow(std::clamp(x, 0.0, 1.0), p.power);
+}
+
 std::vector<double> values_at(const FormatModel& model, const double* x) {
     std::vector<double> values(model.parameters.size());
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const FormatParameter& p = model.parameters[i];
-        values[i] = p.lo + (p.hi - p.lo) * std::pow(std::clamp(x[i], 0.0, 1.0), p.power);
-    }
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = value_at(model.parameters[i], x[i]);
     return values;
 }
 
-Vec3d lab_of(const FormatModel& model, const std::vector<double>& values,
-             const measure::Geometry& g) {
-    const Vec3d factor =
-        std::numbers::pi *
-        model.brdf(values, g.theta_i_deg * kDegree, g.theta_o_deg * kDegree, g.phi_deg * kDegree);
-    return spectra::xyz_to_lab(spectra::linear_rec709_to_xyz(factor),
+std::vector<ShadingDirections> directions_of(const std::vector<measure::Geometry>& geometries) {
+    std::vector<ShadingDirections> directions;
+    for (const measure::Geometry& g : geometries) {
+        directions.push_back(shading_directions(g.theta_i_deg * kDegree, g.theta_o_deg * kDegree,
+                                                g.phi_deg * kDegree));
+    }
+    return directions;
+}
+
+Vec3d lab_of(const Vec3d& brdf) {
+    return spectra::xyz_to_lab(spectra::linear_rec709_to_xyz(std::numbers::pi * brdf),
                                spectra::linear_rec709_to_xyz({1, 1, 1}));
 }
 
-/// The differences of all angles, three numbers each.
-struct ColourResiduals {
-    const FormatModel& model;
-    const measure::Measurement& standard;
+/// Half the distance over which the slope at a number is taken.
+double step_at(double x) { return std::max(1e-4 * std::abs(x), 1.5e-8); }
 
-    bool operator()(double const* const* x, double* residuals) const {
-        const std::vector<double> values = values_at(model, x[0]);
-        for (std::size_t i = 0; i < standard.readings.size(); ++i) {
-            const measure::Reading& wanted = standard.readings[i];
-            const Vec3d delta =
-                spectra::delta_e_2000_vector(wanted.lab, lab_of(model, values, wanted.geometry));
-            for (int c = 0; c < 3; ++c) residuals[3 * i + c] = delta[c];
+/// The differences of all angles, three numbers each, and their slopes.
+class ColourCost : public ceres::CostFunction {
+ public:
+    ColourCost(const FormatModel& model, const measure::Measurement& standard)
+        : model_(model), values_(model.parameters.size()) {
+        std::vector<measure::Geometry> geometries;
+        for (const measure::Reading& reading : standard.readings) {
+            wanted_.push_back(reading.lab);
+            geometries.push_back(reading.geometry);
         }
-        return std::all_of(residuals, residuals + 3 * standard.readings.size(),
-                           [](double r) { return std::isfinite(r); });
+        brdfs_ = model.brdfs(directions_of(geometries));
+        for (auto* found : {&found_, &above_, &below_}) found->resize(wanted_.size());
+        mutable_parameter_block_sizes()->push_back(static_cast<int>(values_.size()));
+        set_num_residuals(static_cast<int>(3 * wanted_.size()));
     }
+
+    bool Evaluate(double const* const* x, double* residuals, double** jacobians) const override;
+
+ private:
+    Vec3d difference(std::size_t angle, const Vec3d& brdf) const {
+        return spectra::delta_e_2000_vector(wanted_[angle], lab_of(brdf));
+    }
+
+    const FormatModel& model_;
+    std::vector<Vec3d> wanted_;  ///< L*a*b*
+    // What an evaluation fills; only one runs at a time.
+    mutable FormatBrdfs brdfs_;
+    mutable std::vector<double> values_;
+    mutable std::vector<Vec3d> found_, above_, below_;
 };
 
-double sum_of_squares(const ColourResiduals& residuals, const std::vector<double>& x) {
-    std::vector<double> r(3 * residuals.standard.readings.size());
+bool ColourCost::Evaluate(double const* const* x, double* residuals, double** jacobians) const {
+    const auto all_finite = [](const double* numbers, std::size_t count) {
+        return std::all_of(numbers, numbers + count, [](double r) { return std::isfinite(r); });
+    };
+    const std::size_t angles = wanted_.size(), parameters = values_.size();
+    values_ = values_at(model_, x[0]);
+    brdfs_(values_, found_);
+    for (std::size_t i = 0; i < angles; ++i) {
+        const Vec3d delta = difference(i, found_[i]);
+        for (int c = 0; c < 3; ++c) residuals[3 * i + c] = delta[c];
+    }
+    if (!all_finite(residuals, 3 * angles)) return false;
+    if (!jacobians || !jacobians[0]) return true;
+
+    // Of a difference by the BRDF's three numbers, once for all parameters.
+    std::vector<std::array<Vec3d, 3>> by_brdf(angles);
+    for (std::size_t i = 0; i < angles; ++i) {
+        for (int c = 0; c < 3; ++c) {
+            const double step = step_at(found_[i][c]);
+            Vec3d above = found_[i], below = found_[i];
+            above[c] += step;
+            below[c] -= step;
+            by_brdf[i][c] = (difference(i, above) - difference(i, below)) / (2 * step);
+        }
+    }
+    for (std::size_t k = 0; k < parameters; ++k) {
+        const double value = values_[k], step = step_at(x[0][k]);
+        values_[k] = value_at(model_.parameters[k], x[0][k] + step);
+        brdfs_(values_, above_);
+        values_[k] = value_at(model_.parameters[k], x[0][k] - step);
+        brdfs_(values_, below_);
+        values_[k] = value;
+        for (std::size_t i = 0; i < angles; ++i) {
+            const Vec3d change = (above_[i] - below_[i]) / (2 * step);
+            const Vec3d delta =
+                change[0] * by_brdf[i][0] + change[1] * by_brdf[i][1] + change[2] * by_brdf[i][2];
+            for (int c = 0; c < 3; ++c) jacobians[0][(3 * i + c) * parameters + k] = delta[c];
+        }
+    }
+    return all_finite(jacobians[0], 3 * angles * parameters);
+}
+
+double sum_of_squares(const ColourCost& cost, const std::vector<double>& x) {
+    std::vector<double> r(static_cast<std::size_t>(cost.num_residuals()));
     const double* at = x.data();
-    if (!residuals(&at, r.data())) return std::numeric_limits<double>::infinity();
+    if (!cost.Evaluate(&at, r.data(), nullptr)) return std::numeric_limits<double>::infinity();
     return std::inner_product(r.begin(), r.end(), r.begin(), 0.0);
 }
 
 /// Levenberg and Marquardt within the cube, by differences.
-void improve(const ColourResiduals& residuals, std::vector<double>& x, int steps_at_most) {
-    using Cost = ceres::DynamicNumericDiffCostFunction<ColourResiduals, ceres::CENTRAL>;
-    ceres::NumericDiffOptions steps;
-    steps.relative_step_size = 1e-4;
-    auto* cost = new Cost(new ColourResiduals(residuals), ceres::TAKE_OWNERSHIP, steps);
-    cost->AddParameterBlock(static_cast<int>(x.size()));
-    cost->SetNumResiduals(static_cast<int>(3 * residuals.standard.readings.size()));
-    ceres::Problem problem;
-    problem.AddResidualBlock(cost, nullptr, x.data());
+void improve(ColourCost& cost, std::vector<double>& x, int steps_at_most) {
+    ceres::Problem::Options owner;
+    owner.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+    ceres::Problem problem(owner);
+    problem.AddResidualBlock(&cost, nullptr, x.data());
     for (int i = 0; i < static_cast<int>(x.size()); ++i) {
         problem.SetParameterLowerBound(x.data(), i, 0.0);
         problem.SetParameterUpperBound(x.data(), i, 1.0);
@@ -142,10 +203,12 @@ measure::Measurement read_material(const FormatModel& model, const std::vector<d
     measure::Measurement readings;
     readings.name = model.format;
     readings.conditions = kRendererConditions;
-    for (const measure::Geometry& geometry : geometries) {
+    std::vector<Vec3d> brdfs(geometries.size());
+    model.brdfs(directions_of(geometries))(values, brdfs);
+    for (std::size_t i = 0; i < geometries.size(); ++i) {
         measure::Reading reading;
-        reading.geometry = geometry;
-        reading.lab = lab_of(model, values, geometry);
+        reading.geometry = geometries[i];
+        reading.lab = lab_of(brdfs[i]);
         reading.xyz =
             spectra::lab_to_xyz(reading.lab, 100.0 * spectra::linear_rec709_to_xyz({1, 1, 1}));
         readings.readings.push_back(reading);
@@ -157,7 +220,6 @@ MaterialFit fit_material(const FormatModel& model, const measure::Measurement& f
                          const measure::Measurement& tested, const Progress& progress) {
     constexpr std::size_t kScreened = 4096, kDescents = 24, kKept = 4;
     constexpr int kSteps = 200;
-    const ColourResiduals residuals{model, fitted};
     const std::size_t n = model.parameters.size();
     std::vector<double> start(n);
     std::vector<std::size_t> screened;
@@ -177,7 +239,7 @@ MaterialFit fit_material(const FormatModel& model, const measure::Measurement& f
     std::vector<std::pair<double, std::vector<double>>> candidates(points.size());
     parallel_for(0, points.size(), [&](std::size_t i) {
         if (work.stopped()) return;
-        candidates[i] = {sum_of_squares(residuals, points[i]), points[i]};
+        candidates[i] = {sum_of_squares(ColourCost(model, fitted), points[i]), points[i]};
     });
     work.throw_if_stopped("fitting a material");
     work.add(1);
@@ -191,8 +253,9 @@ MaterialFit fit_material(const FormatModel& model, const measure::Measurement& f
     const auto descend = [&](int steps) {
         parallel_for(0, candidates.size(), [&](std::size_t i) {
             if (work.stopped()) return;
-            improve(residuals, candidates[i].second, steps);
-            candidates[i].first = sum_of_squares(residuals, candidates[i].second);
+            ColourCost cost(model, fitted);
+            improve(cost, candidates[i].second, steps);
+            candidates[i].first = sum_of_squares(cost, candidates[i].second);
             work.add(1);
         });
         work.throw_if_stopped("fitting a material");

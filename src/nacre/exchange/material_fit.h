@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "nacre/core/progress.h"
+#include "nacre/exchange/shading.h"
 #include "nacre/measure/difference.h"
 #include "nacre/measure/measurement.h"
 
@@ -21,8 +22,13 @@ struct FormatParameter {
     bool screened = true;  ///< whether a fit seeks its starting point; else it begins at `start`
 };
 
-/// A material by its numbers, and their BRDF in 1/sr, linear Rec. 709, polar angles as
-/// measure::Brdf. `values` are in the order of the parameters.
+/// The BRDFs of materials by their numbers, in 1/sr, linear Rec. 709, at lamps and views that are
+/// given once. Keeps what the next material may share with the last one, as those do of which a fit
+/// takes differences: every thread wants its own. `values` are in the order of the parameters.
+using FormatBrdfs =
+    std::function<void(const std::vector<double>& values, std::vector<Vec3d>& brdfs)>;
+
+/// A material by its numbers.
 struct FormatModel {
     std::string format;  ///< for people
     std::vector<FormatParameter> parameters;
@@ -30,10 +36,20 @@ struct FormatModel {
     double coat_ior = 1.5;
     bool across = false;  ///< is fitted at more views off the plane of incidence
     int trial_steps = 0;  ///< after so many, a fit gives up all but the best descents; 0: none
-    std::function<Vec3d(const std::vector<double>& values, double theta_i, double theta_o,
-                        double phi)>
-        brdf;
+    std::function<FormatBrdfs(const std::vector<ShadingDirections>& at)> brdfs;
 };
+
+/// FormatModel::brdfs of materials that are made of their numbers, by a class for one lamp and view.
+template <class At, class MaterialOf>
+auto brdfs_by(MaterialOf material_of) {
+    return [material_of](const std::vector<ShadingDirections>& at) {
+        return [material_of, each = std::vector<At>(at.begin(), at.end())](
+                   const std::vector<double>& values, std::vector<Vec3d>& brdfs) mutable {
+            const auto material = material_of(values);
+            for (std::size_t i = 0; i < each.size(); ++i) brdfs[i] = each[i].brdf(material);
+        };
+    };
+}
 
 /// The lamps and views of a fit, and others that test it: no view of one is in the other.
 /// byk-mac's six angles come first in `fitted`.

@@ -21,25 +21,35 @@ double smith_root(double cosine, double alpha) {
 }
 
 /// Height-correlated.                                                    [heitz-2014]
+/// @param root_l, root_v  smith_root() of the two
+double smith_g2(double nl, double root_l, double nv, double root_v) {
+    return 2 * nl * nv / (nl * root_v + nv * root_l);
+}
 double smith_g2(double nl, double nv, double alpha) {
-    return 2 * nl * nv / (nl * smith_root(nv, alpha) + nv * smith_root(nl, alpha));
+    return smith_g2(nl, smith_root(nl, alpha), nv, smith_root(nv, alpha));
 }
 
 /// Integrals over facets drawn by D cos.
 SplitAlbedo integrate_albedo(double nv, double alpha) {
     constexpr int kSteps = 128;
-    const Vec3d v = {std::sqrt(1 - nv * nv), 0, nv};
+    static const std::array<double, kSteps> kCosines = [] {
+        std::array<double, kSteps> cosines;
+        for (int k = 0; k < kSteps; ++k) {
+            cosines[k] = std::cos(std::numbers::pi * (k + 0.5) / kSteps);
+        }
+        return cosines;
+    }();
+    const double v_x = std::sqrt(1 - nv * nv), root_v = smith_root(nv, alpha);
     SplitAlbedo sum{0, 0};
     for (int i = 0; i < kSteps; ++i) {
         const double u = (i + 0.5) / kSteps;
         const double nh = std::sqrt((1 - u) / (1 + (alpha * alpha - 1) * u));
         const double sine = std::sqrt(1 - nh * nh);
-        for (int k = 0; k < kSteps; ++k) {
-            const double phi = std::numbers::pi * (k + 0.5) / kSteps;
-            const Vec3d h = {sine * std::cos(phi), sine * std::sin(phi), nh};
-            const double vh = dot(v, h), nl = 2 * vh * nh - nv;
+        for (const double cosine : kCosines) {
+            const double vh = v_x * sine * cosine + nv * nh, nl = 2 * vh * nh - nv;
             if (vh <= 0 || nl <= 0) continue;
-            const double weight = smith_g2(nl, nv, alpha) * vh / (nv * nh) / (kSteps * kSteps);
+            const double weight = smith_g2(nl, smith_root(nl, alpha), nv, root_v) * vh /
+                                  (nv * nh * (kSteps * kSteps));
             const double edge = schlick_weight(vh);
             sum.scale += weight * (1 - edge);
             sum.bias += weight * edge;
@@ -84,37 +94,124 @@ struct AlbedoTable {
     }
 };
 
-/// What single scattering between facets loses, given back.             [turquin-2019, eq. 14-16]
-Vec3d compensation(double nv, double alpha, const Vec3d& fresnel) {
-    const SplitAlbedo albedo = ggx_albedo(nv, alpha);
+/// What single scattering between facets loses, over what it leaves: given back, a reflectance F
+/// becomes F (1 + loss F).                                               [turquin-2019, eq. 14-16]
+double loss(const SplitAlbedo& albedo) {
     const double all = albedo.scale + albedo.bias;
-    return kPbrWhite + ((1 - all) / all) * fresnel;
+    return (1 - all) / all;
 }
 
-struct Facing {
-    Vec3d l, v, h;
-    double vh;
+/// A flake that faces lamp and view.
+struct Flake {
+    double weight_nl;  ///< its share, times the cosine of the lamp with its normal
+    double loss;
+    SplitAlbedo albedo;
 };
 
-/// Metal and dielectric below the coat, times the cosine of the lamp with their normal.
-Vec3d base_times_cosine(const OpenPbr& s, const Facing& at, const Vec3d& normal, double alpha) {
-    const double nl = dot(normal, at.l), nv = dot(normal, at.v);
-    if (nl <= 0 || nv <= 0) return {};
-    const double lobe =
-        ggx_distribution(dot(normal, at.h), alpha) * smith_g2(nl, nv, alpha) / (4 * nv);
-    const Vec3d tinted = tinted_schlick(at.vh, s.base_color, s.specular_color);
-    const Vec3d metal = lobe * (tinted * compensation(nv, alpha, tinted));
+/// What the flakes reflect whatever their colour.
+struct Flakes {
+    double lobe = 0, lost = 0;  ///< the means of the lobe, and of the lobe times its loss
+    std::array<Flake, 9> each;
+    int count = 0;
+};
+
+Flakes flakes_at(const ShadingDirections& at, double reach, double alpha) {
+    // The mean over flakes by Gauss' rule of three nodes in each slope.
+    constexpr double kNode = 0.7745966692414834, kWeight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+    Flakes flakes;
+    for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            const Vec3d normal =
+                normalize(Vec3d{(i - 1) * kNode * reach, (k - 1) * kNode * reach, 1});
+            const double nl = dot(normal, at.l), nv = dot(normal, at.v);
+            if (nl <= 0 || nv <= 0) continue;
+            const SplitAlbedo albedo = ggx_albedo(nv, alpha);
+            const double weight = kWeight[i] * kWeight[k], lost = loss(albedo);
+            const double lobe = weight * ggx_distribution(dot(normal, at.h), alpha) *
+                                smith_g2(nl, nv, alpha) / (4 * nv);
+            flakes.lobe += lobe;
+            flakes.lost += lobe * lost;
+            flakes.each[flakes.count++] = {weight * nl, lost, albedo};
+        }
+    }
+    return flakes;
+}
+
+/// The facets of a coat: their albedo, and what they reflect but for Fresnel's factor.
+struct CoatFacets {
+    SplitAlbedo albedo{1, 0};
+    double lobe = 0, lost = 0;  ///< as those of Flakes
+};
+
+CoatFacets coat_at(const ShadingDirections& at, double roughness) {
+    const double alpha = std::max(kMinPbrAlpha, roughness * roughness);
+    CoatFacets coat;
+    coat.albedo = ggx_albedo(at.v.z, alpha);
+    coat.lobe =
+        ggx_distribution(at.h.z, alpha) * smith_g2(at.l.z, at.v.z, alpha) / (4 * at.v.z * at.l.z);
+    coat.lost = coat.lobe * loss(coat.albedo);
+    return coat;
+}
+
+/// A lamp and a view, with the last material's facets there.
+class PbrAt {
+ public:
+    explicit PbrAt(const ShadingDirections& at) : at_(at) {}
+    Vec3d brdf(const OpenPbr& s);
+
+ private:
+    Vec3d base_times_cosine(const OpenPbr& s) const;
+
+    ShadingDirections at_;
+    std::array<double, 4> shape_{-1, -1, -1, -1};  ///< the numbers that facets depend on
+    Flakes flakes_;
+    CoatFacets coat_;
+};
+
+/// Metal and dielectric below the coat, times the cosine of the lamp with their normals.
+Vec3d PbrAt::base_times_cosine(const OpenPbr& s) const {
+    const Vec3d tinted = tinted_schlick(at_.vh, s.base_color, s.specular_color);
+    const Vec3d metal = flakes_.lobe * tinted + flakes_.lost * (tinted * tinted);
 
     // Below a coat the index counts relative to the coat's, from its denser side.
     const double ratio = s.specular_ior / s.coat_ior;
     const double ior = s.coat_weight > 0 ? std::max(ratio, 1 / ratio) : s.specular_ior;
-    const double reflected = optics::dielectric_reflectance(1.0, ior, at.vh);
-    const Vec3d gain = compensation(nv, alpha, reflected * kPbrWhite);
-    const SplitAlbedo albedo = ggx_albedo(nv, alpha);
-    const double below = 1 - (normal_reflectance(ior, 1) * albedo.scale + albedo.bias) * gain.x;
-    const Vec3d dielectric = lobe * reflected * (gain * s.specular_color) +
-                             std::max(0.0, below) * nl * std::numbers::inv_pi * s.base_color;
+    const double reflected = optics::dielectric_reflectance(1.0, ior, at_.vh);
+    const double f0 = normal_reflectance(ior, 1);
+    double below = 0;
+    for (int i = 0; i < flakes_.count; ++i) {
+        const Flake& flake = flakes_.each[i];
+        const double albedo = f0 * flake.albedo.scale + flake.albedo.bias;
+        below += flake.weight_nl * std::max(0.0, 1 - albedo * (1 + flake.loss * reflected));
+    }
+    const Vec3d dielectric =
+        reflected * (flakes_.lobe + flakes_.lost * reflected) * s.specular_color +
+        below * std::numbers::inv_pi * s.base_color;
     return s.base_metalness * metal + (1 - s.base_metalness) * dielectric;
+}
+
+Vec3d PbrAt::brdf(const OpenPbr& s) {
+    const std::array<double, 4> shape{s.specular_roughness, s.flake_tilt, s.coat_weight,
+                                      s.coat_roughness};
+    if (shape != shape_) {
+        shape_ = shape;
+        // A rough coat widens the lobes below it.
+        const double r4 = std::pow(s.specular_roughness, 4), c4 = std::pow(s.coat_roughness, 4);
+        const double widened = s.coat_weight > 0 ? std::min(1.0, r4 + 2 * c4) : r4;
+        const double alpha = std::max(kMinPbrAlpha, std::sqrt(widened));
+        flakes_ = flakes_at(at_, s.flake_tilt * s.specular_roughness * s.specular_roughness, alpha);
+        if (s.coat_weight > 0) coat_ = coat_at(at_, s.coat_roughness);
+    }
+    Vec3d f = base_times_cosine(s) / at_.l.z;
+    if (s.coat_weight > 0) {
+        const double f0 = normal_reflectance(s.coat_ior, 1);
+        f = (1 - s.coat_weight * (f0 * coat_.albedo.scale + coat_.albedo.bias)) * f;
+        if (s.coat_roughness > 0) {
+            const double reflected = optics::dielectric_reflectance(1.0, s.coat_ior, at_.vh);
+            f += s.coat_weight * reflected * (coat_.lobe + coat_.lost * reflected) * kPbrWhite;
+        }
+    }
+    return f;
 }
 
 }  // namespace
@@ -132,43 +229,8 @@ Vec3d tinted_schlick(double cosine, const Vec3d& f0, const Vec3d& tint) {
     return schlick(cosine) - dip * (schlick(kCosine) * (kPbrWhite - tint));
 }
 
-Vec3d open_pbr_brdf(const OpenPbr& s, double theta_i, double theta_o, double phi) {
-    Facing at;
-    at.l = {std::sin(theta_i), 0, std::cos(theta_i)};
-    at.v = {std::sin(theta_o) * std::cos(phi), std::sin(theta_o) * std::sin(phi),
-            std::cos(theta_o)};
-    at.h = normalize(at.l + at.v);
-    at.vh = dot(at.v, at.h);
-    // A rough coat widens the lobes below it.
-    const double r4 = std::pow(s.specular_roughness, 4), c4 = std::pow(s.coat_roughness, 4);
-    const double widened = s.coat_weight > 0 ? std::min(1.0, r4 + 2 * c4) : r4;
-    const double alpha = std::max(kMinPbrAlpha, std::sqrt(widened));
-
-    // The mean over flakes by Gauss' rule of three nodes in each slope.
-    constexpr double kNode = 0.7745966692414834, kWeight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
-    const double reach = kNode * s.flake_tilt * s.specular_roughness * s.specular_roughness;
-    Vec3d sum;
-    for (int i = 0; i < 3; ++i) {
-        for (int k = 0; k < 3; ++k) {
-            const Vec3d normal = normalize(Vec3d{(i - 1) * reach, (k - 1) * reach, 1});
-            sum += kWeight[i] * kWeight[k] * base_times_cosine(s, at, normal, alpha);
-        }
-    }
-    Vec3d f = sum / at.l.z;
-    if (s.coat_weight > 0) {
-        const double coat_alpha = std::max(kMinPbrAlpha, s.coat_roughness * s.coat_roughness);
-        const SplitAlbedo albedo = ggx_albedo(at.v.z, coat_alpha);
-        const double f0 = normal_reflectance(s.coat_ior, 1);
-        f = (1 - s.coat_weight * (f0 * albedo.scale + albedo.bias)) * f;
-        if (s.coat_roughness > 0) {
-            const double reflected = optics::dielectric_reflectance(1.0, s.coat_ior, at.vh);
-            const double lobe = ggx_distribution(at.h.z, coat_alpha) *
-                                smith_g2(at.l.z, at.v.z, coat_alpha) / (4 * at.v.z * at.l.z);
-            f += s.coat_weight * lobe * reflected *
-                 compensation(at.v.z, coat_alpha, reflected * kPbrWhite);
-        }
-    }
-    return f;
+Vec3d open_pbr_brdf(const OpenPbr& surface, double theta_i, double theta_o, double phi) {
+    return PbrAt(shading_directions(theta_i, theta_o, phi)).brdf(surface);
 }
 
 namespace {
@@ -197,10 +259,8 @@ FormatModel open_pbr_model(bool coat, bool coat_is_rough) {
     model.parameters = kPbrParameters;
     if (coat && coat_is_rough) model.parameters.push_back({"coat_roughness", 0.1, 1, 0.3});
     model.coat = coat;
-    model.brdf = [model](const std::vector<double>& values, double theta_i, double theta_o,
-                         double phi) {
-        return open_pbr_brdf(open_pbr(model, values), theta_i, theta_o, phi);
-    };
+    model.brdfs = brdfs_by<PbrAt>(
+        [model](const std::vector<double>& values) { return open_pbr(model, values); });
     return model;
 }
 

@@ -11,19 +11,20 @@
 
 namespace nacre::exchange {
 
-/// Cosines of a pair of directions with the normal n, their half vector h and each other.
-struct ShadingAngles {
-    double nl = 1, nv = 1, nh = 1, vh = 1;
+/// A lamp and a viewer, and their half vector h; the normal is z.
+struct ShadingDirections {
+    Vec3d l, v, h;
+    double vh = 1;  ///< cosine of v with h
 };
 
 /// @param theta_i, theta_o  in [0, pi/2), rad
 /// @param phi  phi_o - phi_i, rad
-inline ShadingAngles shading_angles(double theta_i, double theta_o, double phi) {
+inline ShadingDirections shading_directions(double theta_i, double theta_o, double phi) {
     const Vec3d l = {std::sin(theta_i), 0, std::cos(theta_i)};
     const Vec3d v = {std::sin(theta_o) * std::cos(phi), std::sin(theta_o) * std::sin(phi),
                      std::cos(theta_o)};
     const Vec3d h = normalize(l + v);
-    return {l.z, v.z, h.z, dot(v, h)};
+    return {l, v, h, dot(v, h)};
 }
 
 /// The distribution of facets of Trowbridge and Reitz, in 1/sr.        [walter-2007, eq. 33]

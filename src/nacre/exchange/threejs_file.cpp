@@ -21,10 +21,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Vec3d direction(double theta, double phi) {
-    return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
-}
-
 double to_hundredths(double value) { return std::round(100 * value) / 100; }
 
 Json about(const std::string& name, const std::string& recipe_sha256,
@@ -83,10 +79,13 @@ measure::Difference shader_difference(const WebglShader& shader,
                                       const measure::Measurement& standard) {
     FormatModel model;
     model.format = "shader";
-    model.brdf = [&](const std::vector<double>&, double theta_i, double theta_o, double phi) {
-        Vec3d rgb = shader.brdf(direction(theta_i, 0), direction(theta_o, phi));
-        for (int c = 0; c < 3; ++c) rgb[c] = std::max(rgb[c], 0.0);
-        return rgb;
+    model.brdfs = [&](const std::vector<ShadingDirections>& at) {
+        return [&shader, at](const std::vector<double>&, std::vector<Vec3d>& brdfs) {
+            for (std::size_t i = 0; i < at.size(); ++i) {
+                brdfs[i] = shader.brdf(at[i].l, at[i].v);
+                for (int c = 0; c < 3; ++c) brdfs[i][c] = std::max(brdfs[i][c], 0.0);
+            }
+        };
     };
     std::vector<measure::Geometry> geometries;
     for (const measure::Reading& reading : standard.readings) {
