@@ -8,6 +8,7 @@ import re
 import shutil
 import subprocess
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -110,24 +111,30 @@ def test_what_a_shader_cannot_show_is_refused(paints: Path, tmp_path: Path) -> N
     assert error.max_delta_e_2000 < 1
 
 
-@pytest.mark.parametrize("name", ["red-gold", "white-pearl", "satin-silver", "tinted-grey"])
-def test_a_browser_shows_the_same(name: str, paints: Path, tmp_path: Path) -> None:
+SHOWN = ["red-gold", "white-pearl", "satin-silver", "tinted-grey"]
+
+
+@pytest.fixture(scope="module")
+def in_a_browser(paints: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+    """What a browser's graphics make of the modules of SHOWN, each in a context of its own; one
+    browser for all, as its start takes ten times as long as a module."""
     browser = next(filter(None, map(shutil.which, BROWSERS)), None)
     if browser is None:
         pytest.skip(f"there is none of {', '.join(BROWSERS)} to run a shader in")
-    paint = nacre.Paint(paints / f"{name}.toml")
-    paint.write(tmp_path / "paint.three.js")
-    wi, wo = directions(200)
-    module = json.dumps((tmp_path / "paint.three.js").read_text(encoding="utf-8"))
+    folder = tmp_path_factory.mktemp("browser")
+    modules = {}
+    for name in SHOWN:
+        nacre.Paint(paints / f"{name}.toml").write(folder / f"{name}.three.js")
+        modules[name] = (folder / f"{name}.three.js").read_text(encoding="utf-8")
     page = PAGE.read_text(encoding="utf-8")
-    page = page.replace("__PAIRS__", json.dumps(np.stack([wi, wo], axis=1).tolist()))
-    page = page.replace("__MODULE__", module.replace("</", "<\\/"))
-    (tmp_path / "page.html").write_text(page, encoding="utf-8")
+    page = page.replace("__PAIRS__", json.dumps(np.stack(directions(200), axis=1).tolist()))
+    page = page.replace("__MODULES__", json.dumps(modules).replace("</", "<\\/"))
+    (folder / "page.html").write_text(page, encoding="utf-8")
     seen = subprocess.run(
         [
             *(browser, "--headless", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader"),
-            *("--enable-unsafe-swiftshader", f"--user-data-dir={tmp_path / 'profile'}"),
-            *("--virtual-time-budget=20000", "--dump-dom", f"file://{tmp_path / 'page.html'}"),
+            *("--enable-unsafe-swiftshader", f"--user-data-dir={folder / 'profile'}"),
+            *("--virtual-time-budget=20000", "--dump-dom", f"file://{folder / 'page.html'}"),
         ],
         capture_output=True,
         text=True,
@@ -135,9 +142,18 @@ def test_a_browser_shows_the_same(name: str, paints: Path, tmp_path: Path) -> No
     )
     text = re.search(r'<pre id="result">(.*?)</pre>', seen.stdout, re.DOTALL)
     assert text, seen.stderr
-    found = json.loads(html.unescape(text[1]))
+    found: dict[str, Any] = json.loads(html.unescape(text[1]))
+    assert list(found) == SHOWN, seen.stderr
+    return found
+
+
+@pytest.mark.parametrize("name", SHOWN)
+def test_a_browser_shows_the_same(name: str, paints: Path, in_a_browser: dict[str, Any]) -> None:
+    paint = nacre.Paint(paints / f"{name}.toml")
+    wi, wo = directions(200)
+    found = in_a_browser[name]
     if "missing" in found:
-        pytest.skip(f"the browser {browser} lacks {found['missing']}")
+        pytest.skip(f"the browser lacks {found['missing']}")
     assert found.get("error") == 0, found
     values = np.array(found["values"]).reshape(2, len(wi), 4)
     shader = shader_of(paint)
