@@ -55,30 +55,30 @@ BrdfSettings settings_of(const OptionalDoubles& wavelengths_nm, const std::optio
     return settings;
 }
 
-std::shared_ptr<const PaintBrdf> brdf_of(const PaintHandle& handle, const BrdfSettings& settings,
+std::shared_ptr<const PaintBrdf> brdf_of(const PaintHandle& handle, BrdfSettings settings,
                                          const Patch& patch, const nb::object& progress) {
+    settings.patches = patch.has_value();
+    // Those of all patches are made once, so that many may be asked for one by one.
+    const auto on_patch = [&](const std::shared_ptr<const PaintBrdf>& brdf) {
+        if (!patch) return brdf;
+        const auto& [x, y, side] = *patch;
+        return std::make_shared<const PaintBrdf>(brdf->on(x, y, side));
+    };
     for (const auto& known : handle.brdfs) {
         if (known.model == settings.model && known.part == settings.part &&
-            known.as_rendered == settings.as_rendered && known.patch == patch &&
+            known.as_rendered == settings.as_rendered && known.patches == settings.patches &&
             known.wavelengths_nm == settings.wavelengths_nm) {
-            return known.brdf;
+            return on_patch(known.brdf);
         }
     }
     auto brdf = run(progress, [&](const Progress& ask) {
-        BrdfSettings wanted = settings;
-        wanted.patches = patch.has_value();
-        PaintBrdf values = handle.paint.brdf(wanted, ask);
-        if (patch) {
-            const auto& [x, y, side] = *patch;
-            values = values.on(x, y, side);
-        }
-        return std::make_shared<const PaintBrdf>(std::move(values));
+        return std::make_shared<const PaintBrdf>(handle.paint.brdf(settings, ask));
     });
     constexpr std::size_t kKept = 8;
     if (handle.brdfs.size() == kKept) handle.brdfs.erase(handle.brdfs.begin());
     handle.brdfs.push_back({settings.wavelengths_nm, settings.model, settings.part,
-                            settings.as_rendered, patch, brdf});
-    return brdf;
+                            settings.as_rendered, settings.patches, brdf});
+    return on_patch(brdf);
 }
 
 /// Squares and products between these are neither rounded to nothing nor infinite. Beyond them angles

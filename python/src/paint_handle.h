@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <optional>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -26,7 +25,7 @@ struct PaintHandle {
         std::optional<Model> model;
         Part part;
         bool as_rendered;
-        std::optional<std::tuple<double, double, double>> patch;
+        bool patches;
         std::shared_ptr<const PaintBrdf> brdf;
     };
 
