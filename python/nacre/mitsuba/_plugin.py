@@ -179,6 +179,7 @@ def make_plugin() -> Any:
             if mi.Float is float:
                 self.names = {}  # numbers of Python, which no scene can change
             self.parameters = {k: mi.Float(self.paint[k]) for k in self.names}
+            self.solved: dict[tuple[Any, ...], Any] = {}
             self._build()
             glossy = mi.BSDFFlags.GlossyReflection | mi.BSDFFlags.FrontSide
             first = (
@@ -196,7 +197,7 @@ def make_plugin() -> Any:
             return _nacre.appearance_arrays(paint._paint, self.model._model, mean, None)
 
         def _build(self) -> None:
-            paint, steps = self.paint, {}
+            paint, steps, values = self.paint, {}, []
             for key, value in self.parameters.items():
                 at = float(dr.slice(dr.detach(value)))
                 limits = paint.parameters[key]
@@ -206,13 +207,30 @@ def make_plugin() -> Any:
                     at = NEXT_TO_ZERO * high
                     low, high = at * (1 - NEXT_STEP), at * (1 + NEXT_STEP)
                 steps[key] = low, high
+                values.append(at)
                 paint = paint.with_values({key: at})
-            base = self._arrays(paint, mean=False)
+            # Gradients are often enabled after the scene was loaded, which changes no value: what
+            # was solved for the last ones is kept.
+            before, self.solved = self.solved, {}
+
+            def solved(key: str = "", value: float = 0.0) -> Any:
+                place = (*values, key, value)
+                if place in before:
+                    arrays = before[place]
+                elif key:
+                    arrays = self._arrays(paint.with_values({key: value}))
+                else:
+                    arrays = self._arrays(paint, mean=False)
+                if self.parameters:
+                    self.solved[place] = arrays
+                return arrays
+
+            base = solved()
             tangents = [
                 Tangent(
                     self.parameters[key] - dr.detach(self.parameters[key]),
-                    self._arrays(paint.with_values({key: high})),
-                    self._arrays(paint.with_values({key: low})),
+                    solved(key, high),
+                    solved(key, low),
                     high - low,
                 )
                 for key, (low, high) in steps.items()
