@@ -359,6 +359,11 @@ void nacreWithoutSunlit() {
 ///
 /// sampled: else only what is left without flakes is worked out. sun: towards a place on it; z <= 0: there
 /// is none. sunLight: its radiance times its solid angle. random: bits of the sample.
+///
+/// Processors that draw in place of a card compute both sides of an if, and the body of a loop that is
+/// asked at its beginning once more than it runs. So there is one loop that looks for flakes, around it one
+/// that draws directions for those that are found, and around that one in which colours are worked out:
+/// those of flakes in the sun, and at last that of the chosen one.
 vec3 nacreFlakes(NacrePatch seen, bool sampled, vec3 wi, vec3 sun, vec3 sunLight, float sunAngle, uint random) {
     vec3 sum = vec3(0.), i = nacreRefract(wi, nacreIor);
     bool sunny = sun.z > 1e-4;
@@ -379,104 +384,140 @@ vec3 nacreFlakes(NacrePatch seen, bool sampled, vec3 wi, vec3 sun, vec3 sunLight
     uvec2 chosenBody;
     vec3 chosenWo, chosenLight;
 
-    for (int s = 0; s < NACRE_FLAKES; ++s) {
+    // A species, as the patch sees it.
+    int s = 0;
+    NacreOutline outline;
+    NacreShown wide, narrow;
+    float typicalDepth, sunScale, sunSpread;
+    // One of its planes, -1 before the first, a level of it and a cell, of which n of `count` flakes are known.
+    int axis = -1, level, n, count;
+    NacrePlane plane;
+    ivec2 begin = ivec2(0), end, at;
+    float cell, wideWeight, sunWeight;
+    uvec2 levelKey, key;
+
+    do {
         vec4 field = nacreField[s], sizes = nacreFieldSize[s];
         float cellSide = field.x, alpha = field.y, largest = sizes.y;
-        NacreOutline outline = nacreOutline(seen, sizes.x);
-        NacreShown wide = nacreLevels(s, outline.side, 2.), narrow = wide;
-        if (sunny && wide.resolved < 1.) {
-            // FlakeField::lobe_area() as what it is outside the coat.
-            float radius = nacreFieldLevels[s].y * alpha / max(i.z, .1);
-            float area = 5. * PI / 9. * (radius * radius + nacreSpread2(s, i.z, i.z));
-            float angle = area * 4. * i.z * i.z * i.z * nacreIor * nacreIor * i.z / wi.z;
-            narrow = nacreLevels(s, outline.side, min(sunAngle / angle, 1.));
-        }
-        nacreResolved[s] = wide.resolved;
-        nacreWidened[s] = 1.;
-        nacreSunResolved[s] = narrow.resolved;
-        nacreSunWidened[s] = narrow.widening;
-        if (!sampled || wide.resolved + narrow.resolved == 0.) continue;
-        float typicalDepth = 2. * nacreLayer[NACRE_LAYERS[s]].x / i.z *
-                             nacreRow(NACRE_EXTINCTIONS[s], 1, length(wi.xy) / (1. + wi.z)).w;
-        float sunScale = 0., sunSpread = 0.;
-        if (sunny && nacreReaches(s, sunPair.slope2)) {
-            sunSpread = narrow.widening * narrow.widening * nacreSpread2(s, i.z, sunPair.o.z);
-            sunScale = narrow.widening * nacreWidening(sunPair.sec2, sunPair.cosine);
+        if (axis < 0) {
+            outline = nacreOutline(seen, sizes.x);
+            narrow = wide = nacreLevels(s, outline.side, 2.);
+            if (sunny && wide.resolved < 1.) {
+                // FlakeField::lobe_area() as what it is outside the coat.
+                float radius = nacreFieldLevels[s].y * alpha / max(i.z, .1);
+                float area = 5. * PI / 9. * (radius * radius + nacreSpread2(s, i.z, i.z));
+                float angle = area * 4. * i.z * i.z * i.z * nacreIor * nacreIor * i.z / wi.z;
+                narrow = nacreLevels(s, outline.side, min(sunAngle / angle, 1.));
+            }
+            nacreResolved[s] = wide.resolved;
+            nacreWidened[s] = 1.;
+            nacreSunResolved[s] = narrow.resolved;
+            nacreSunWidened[s] = narrow.widening;
+            typicalDepth = 2. * nacreLayer[NACRE_LAYERS[s]].x / i.z *
+                           nacreRow(NACRE_EXTINCTIONS[s], 1, length(wi.xy) / (1. + wi.z)).w;
+            sunScale = sunSpread = 0.;
+            if (sunny && nacreReaches(s, sunPair.slope2)) {
+                sunSpread = narrow.widening * narrow.widening * nacreSpread2(s, i.z, sunPair.o.z);
+                sunScale = narrow.widening * nacreWidening(sunPair.sec2, sunPair.cosine);
+            }
+            if (!sampled || wide.resolved + narrow.resolved == 0.) axis = 3;
+            level = NACRE_LEVELS - 1;
+            n = count = 0;
+            at = end = ivec2(0);
         }
 
-        for (int axis = 0; axis < 3; ++axis) {
-            float part = nacreOnPlane(parts, axis).z;
-            if (part <= 0.) continue;
-            NacrePlane plane = nacrePlane(seen, axis, part, largest);
-            ivec2 begin = ivec2(floor((plane.at - plane.reach) / cellSide));
-            ivec2 end = ivec2(floor((plane.at + plane.reach) / cellSide));
-            float cell = cellSide;
-            for (int level = 0; level < NACRE_LEVELS; ++level, cell *= 4., begin >>= 2, end >>= 2) {
-                float wideWeight = wide.scale * nacreFaded(s, outline.side, cell, wide);
-                float sunWeight = narrow.scale * nacreFaded(s, outline.side, cell, narrow);
-                if (wideWeight + sunWeight == 0.) continue;
-                uvec4 k = uvec4(nacreFieldKey[NACRE_LEVELS * s + level]);
-                uvec2 levelKey = uvec2(k.x | k.y << 16, k.z | k.w << 16);
+        // Of a flake in the sun.
+        bool sunlit = false;
+        uvec2 body;
+        float weight, sunWidth2, lobe;
+        do {
+            bool found = false;
+            uvec2 flake;
+            float radius;
+            vec2 middle;
+            do {
+                if (n == count) {
+                    n = count = 0;
+                    ++at.x;
+                    if (at.x > end.x) at = ivec2(begin.x, at.y + 1);
+                    if (at.y > end.y) {
+                        ++level;
+                        if (level == NACRE_LEVELS) {
+                            level = 0;
+                            ++axis;
+                        }
+                        float part = axis < 3 ? nacreOnPlane(parts, axis).z : 0.;
+                        if (part <= 0.) level = NACRE_LEVELS - 1;
+                        else if (level == 0) plane = nacrePlane(seen, axis, part, largest);
+                        cell = cellSide * float(1 << 2 * level);
+                        wideWeight = wide.scale * nacreFaded(s, outline.side, cell, wide);
+                        sunWeight = narrow.scale * nacreFaded(s, outline.side, cell, narrow);
+                        at = ivec2(0);
+                        end = ivec2(-1);
+                        if (part > 0. && wideWeight + sunWeight > 0.) {
+                            at = begin = ivec2(floor((plane.at - plane.reach) / cellSide)) >> 2 * level;
+                            end = ivec2(floor((plane.at + plane.reach) / cellSide)) >> 2 * level;
+                            uvec4 k = uvec4(nacreFieldKey[NACRE_LEVELS * s + level]);
+                            levelKey = uvec2(k.x | k.y << 16, k.z | k.w << 16);
+                        }
+                    }
+                    if (at.y <= end.y) {
+                        key = nacreCellKey(levelKey, plane.side, at.x, at.y);
+                        count = nacreCount(nacreUnit(key.y));
+                    }
+                }
                 float grain = cell * exp2(-16.);
-                for (int v = begin.y; v <= end.y; ++v) for (int u = begin.x; u <= end.x; ++u) {
-                    uvec2 key = nacreCellKey(levelKey, plane.side, u, v);
-                    int count = nacreCount(nacreUnit(key.y));
-                    vec2 corner = vec2(u, v) * cell - plane.at;
-                    for (int n = 0; n < count; ++n) {
-                        uvec2 flake = nacreFlakeBits(key, n);
-                        if (float(flake.y & 0xffffu) >= plane.kept) continue;
-                        vec2 at = corner + grain * vec2(flake.x & 0xffffu, flake.x >> 16);
-                        at = plane.stepU * at.x + plane.stepV * at.y;
-                        if (!nacreTouches(outline, at, largest)) continue;
-                        float radius = largest;
+                vec2 corner = vec2(at) * cell - plane.at;
+                do {
+                    if (n < count) {
+                        flake = nacreFlakeBits(key, n);
+                        ++n;
+                        middle = corner + grain * vec2(flake.x & 0xffffu, flake.x >> 16);
+                        middle = plane.stepU * middle.x + plane.stepV * middle.y;
+                        radius = largest;
                         if (sizes.x < largest) {
                             ivec2 size = ivec2(4 * NACRE_SIZES[s], flake.y >> 24);
                             radius = .5e-3 * texelFetch(nacreTable, size, 0).x;
-                            if (!nacreTouches(outline, at, radius)) continue;
                         }
-
-                        vec2 gauss = nacreSlopes(flake), turn = plane.turn;
-                        vec2 slope = alpha * vec2(turn.x * gauss.x - turn.y * gauss.y,
-                                                  turn.y * gauss.x + turn.x * gauss.y);
-                        float own = .5e-3 * field.z / radius;
-                        // The sun, if it lies in the lobe.
-                        float sunWidth2 = min(own * own * sunScale * sunScale + sunSpread, 16. * alpha * alpha);
-                        vec2 apart = slope - sunSlope;
-                        bool sunlit = sunScale > 0. && sunWeight > 0. && dot(apart, apart) < sunWidth2;
-                        if (!sunlit && wideWeight == 0.) continue;
-                        float weight = field.w * nacreCoverage(outline, at, radius) *
-                                       nacreTilted(outline, at, radius);
-                        if (weight <= 0.) continue;
-                        uvec2 body = nacreHash(flake.x, flake.y);
-                        if (sunlit) {
-                            float t = 1. - dot(apart, apart) / sunWidth2;
-                            float lobe = 3. / (PI * sunWidth2) * t * t;
-                            sum += nacreFlakeColour(s, body, wi, sun, sunPair) * sunLight *
-                                   (sunWeight * weight * lobe * sun.z *
-                                    nacreFlakeFactor(s, sunPair, sqrt(sunWidth2), narrow.resolved, narrow.widening));
-                        }
-                        if (wideWeight == 0.) continue;
-                        // A direction from the lobe; the least of three even numbers has its law.
-                        float sec2 = 1. + dot(slope, slope);
-                        float facing = dot(i.xy, slope) + i.z;
-                        float scaled = own * nacreWidening(sec2, abs(facing) * inversesqrt(sec2));
-                        float spread2 = nacreSpread2(s, i.z, 2. * facing / sec2 - i.z);
-                        float width = min(sqrt(scaled * scaled + spread2), 4. * alpha);
-                        uint a = nacreShortMix(random ^ flake.x ^ (flake.y * NACRE_SHORT_GOLDEN));
-                        uint b = nacreShortMix(a ^ NACRE_SHORT_GOLDEN);
-                        float least = float(min(min(a & 0xffffu, a >> 16), b & 0xffffu)) * exp2(-16.) + exp2(-17.);
-                        float turned = 2. * PI * float(b >> 16) * exp2(-16.);
-                        vec2 halfSlope = slope + width * sqrt(least) * vec2(cos(turned), sin(turned));
-                        vec3 m = vec3(halfSlope, 1.);
-                        vec3 o = m * (2. * dot(i, m) / dot(m, m)) - i;
-                        vec2 xy = nacreIor * o.xy;
-                        float z2 = 1. - dot(xy, xy);
-                        if (o.z <= 0. || z2 < 1e-6 || dot(halfSlope, halfSlope) >= @MAX_EXPONENT@ * alpha * alpha) continue;
-                        vec3 wo = vec3(xy, sqrt(z2));
-                        vec3 light = nacreRadiance(wo);
-                        float reflected = max(light.r, max(light.g, light.b)) * sizes.w *
-                                       wideWeight * weight * exp(-nacrePlace(body) * typicalDepth);
-                        if (reflected <= 0.) continue;
+                        found = float(flake.y & 0xffffu) < plane.kept && nacreTouches(outline, middle, radius);
+                    }
+                } while (!found && n < count);
+            } while (!found && axis < 3);
+            if (found) {
+                vec2 gauss = nacreSlopes(flake), turn = plane.turn;
+                vec2 slope = alpha * vec2(turn.x * gauss.x - turn.y * gauss.y,
+                                          turn.y * gauss.x + turn.x * gauss.y);
+                float own = .5e-3 * field.z / radius;
+                weight = field.w * nacreCoverage(outline, middle, radius) * nacreTilted(outline, middle, radius);
+                body = nacreHash(flake.x, flake.y);
+                // The sun, if it lies in the lobe.
+                sunWidth2 = min(own * own * sunScale * sunScale + sunSpread, 16. * alpha * alpha);
+                vec2 apart = slope - sunSlope;
+                sunlit = weight > 0. && sunScale > 0. && sunWeight > 0. && dot(apart, apart) < sunWidth2;
+                float t = 1. - dot(apart, apart) / sunWidth2;
+                lobe = 3. / (PI * sunWidth2) * t * t;
+                // A direction from the lobe; the least of three even numbers has its law.
+                float sec2 = 1. + dot(slope, slope);
+                float facing = dot(i.xy, slope) + i.z;
+                float scaled = own * nacreWidening(sec2, abs(facing) * inversesqrt(sec2));
+                float spread2 = nacreSpread2(s, i.z, 2. * facing / sec2 - i.z);
+                float width = min(sqrt(scaled * scaled + spread2), 4. * alpha);
+                uint a = nacreShortMix(random ^ flake.x ^ (flake.y * NACRE_SHORT_GOLDEN));
+                uint b = nacreShortMix(a ^ NACRE_SHORT_GOLDEN);
+                float least = float(min(min(a & 0xffffu, a >> 16), b & 0xffffu)) * exp2(-16.) + exp2(-17.);
+                float turned = 2. * PI * float(b >> 16) * exp2(-16.);
+                vec2 halfSlope = slope + width * sqrt(least) * vec2(cos(turned), sin(turned));
+                vec3 m = vec3(halfSlope, 1.);
+                vec3 o = m * (2. * dot(i, m) / dot(m, m)) - i;
+                vec2 xy = nacreIor * o.xy;
+                float z2 = 1. - dot(xy, xy);
+                if (weight > 0. && wideWeight > 0. && o.z > 0. && z2 >= 1e-6 &&
+                    dot(halfSlope, halfSlope) < @MAX_EXPONENT@ * alpha * alpha) {
+                    vec3 wo = vec3(xy, sqrt(z2));
+                    vec3 light = nacreRadiance(wo);
+                    float reflected = max(light.r, max(light.g, light.b)) * sizes.w *
+                                      wideWeight * weight * exp(-nacrePlace(body) * typicalDepth);
+                    if (reflected > 0.) {
                         brightness += reflected;
                         if (nacreFraction(nacreShortMix(b ^ random)) * brightness < reflected) {
                             chosen = s;
@@ -490,15 +531,33 @@ vec3 nacreFlakes(NacrePatch seen, bool sampled, vec3 wi, vec3 sun, vec3 sunLight
                     }
                 }
             }
+        } while (!sunlit && axis < 3);
+
+        bool shows = sunlit;
+        int of = s;
+        vec3 wo = sun, light = sunLight;
+        float width = sqrt(sunWidth2), resolved = narrow.resolved, widening = narrow.widening;
+        if (!sunlit) {
+            axis = -1;
+            ++s;
+            shows = s == NACRE_FLAKES && chosenBrightness > 0.;
+            of = chosen;
+            wo = chosenWo;
+            light = chosenLight;
+            body = chosenBody;
+            width = chosenWidth;
+            resolved = nacreResolved[chosen];
+            widening = 1.;
         }
-    }
-    if (chosenBrightness > 0.) {
-        NacrePair p = nacrePair(wi, chosenWo);
-        // Solid angle outside per area of slopes; K is what the direction was drawn by.
-        float angle = 2. * (p.i.z + p.o.z) / p.sec2 * nacreIor * nacreIor * p.o.z;
-        sum += nacreFlakeColour(chosen, chosenBody, wi, chosenWo, p) * chosenLight *
-               (angle * chosenWeight * brightness / chosenBrightness *
-                nacreFlakeFactor(chosen, p, chosenWidth, nacreResolved[chosen], 1.));
-    }
+        if (shows) {
+            NacrePair p = nacrePair(wi, wo);
+            // Solid angle outside per area of slopes; K is what the direction was drawn by.
+            float angle = 2. * (p.i.z + p.o.z) / p.sec2 * nacreIor * nacreIor * p.o.z;
+            float scale = sunlit ? sunWeight * weight * lobe * sun.z
+                                 : angle * chosenWeight * brightness / chosenBrightness;
+            sum += nacreFlakeColour(of, body, wi, wo, p) * light *
+                   (scale * nacreFlakeFactor(of, p, width, resolved, widening));
+        }
+    } while (s < NACRE_FLAKES);
     return sum;
 }

@@ -183,10 +183,13 @@ vec3 shaded(vec3 place, vec3 n, vec3 view, out vec3 ofFlakes) {
     }
     ofFlakes = shadedFlakes(place, toWorld, wi, towardsSun);
     vec3 sum = vec3(0.);
-    // Directions from the paint, from afar and from each rectangle.
-    for (int way = 0; way < 2 + rectangleCount; ++way) {
+    // Directions from the paint, from afar and from each rectangle, and at last to the sun. Asked at its end, as
+    // processors that draw in place of a card run through a loop's body once more where it is asked before.
+    int toSun = 2 + rectangleCount, ways = towardsSun.z > 1e-4 ? toSun + 1 : toSun, way = 0;
+    do {
         vec2 u = evenly(uint(way));
-        vec3 w, wo;
+        vec3 w, wo, radiance;
+        float scale = 0.;
         if (way == 0) {
             float which = evenlyOne(7u);
             float r = sqrt(u.x), phi = 2. * PI * u.y;
@@ -196,22 +199,25 @@ vec3 shaded(vec3 place, vec3 n, vec3 view, out vec3 ofFlakes) {
         } else if (way == 1) {
             w = drawFromAfar(u);
             wo = w * toWorld;
-        } else {
+        } else if (way < toSun) {
             vec3 at = corner[way - 2] + u.x * edgeU[way - 2] + u.y * edgeV[way - 2];
             w = normalize(at - place);
             wo = w * toWorld;
         }
-        if (wo.z <= 1e-4) continue;
-        float density;
-        vec3 radiance = radianceFrom(place, w, density);
-        if (max(radiance.r, max(radiance.g, radiance.b)) <= 0.) continue;
-        density += densityFromAfar(w) + densityOfPaint(wi, wo);
-        sum += nacreColour(wi, wo) * radiance * (wo.z / density);
-    }
-    if (towardsSun.z > 1e-4) {
-        nacreWithoutSunlit();
-        sum += nacreColour(wi, towardsSun) * sunRadiance * (2. * PI * (1. - sun.w) * towardsSun.z);
-    }
+        if (way == toSun) {
+            nacreWithoutSunlit();
+            wo = towardsSun;
+            radiance = sunRadiance;
+            scale = 2. * PI * (1. - sun.w) * wo.z;
+        } else if (wo.z > 1e-4) {
+            float density;
+            radiance = radianceFrom(place, w, density);
+            density += densityFromAfar(w) + densityOfPaint(wi, wo);
+            if (max(radiance.r, max(radiance.g, radiance.b)) > 0.) scale = wo.z / density;
+        }
+        if (scale > 0.) sum += nacreColour(wi, wo) * radiance * scale;
+        ++way;
+    } while (way < ways);
 #if ${smoothCoat ? "1" : "0"}
     vec3 mirrored = toWorld * vec3(-wi.xy, wi.z);
     float ignored;
