@@ -70,11 +70,12 @@ test("the shader resolves as many flakes as the program", async () => {
 /** ln of the luminance, less its mean over the neighbourhood: what glitters. */
 function glitter({ data, width, height }: LivePicture): number[] {
     const channels = data.length / (width * height);
-    const at = (x: number, y: number): number => {
-        const from = channels * (y * width + x);
+    const logs = Array.from({ length: width * height }, (_, pixel) => {
+        const from = channels * pixel;
         const [r = 0, g = 0, b = 0] = data.slice(from, from + 3);
         return Math.log(0.01 + Math.max(0.2126 * r + 0.7152 * g + 0.0722 * b, 0));
-    };
+    });
+    const at = (x: number, y: number): number => logs[y * width + x] as number;
     const reach = 4;
     const inside = (k: number, size: number): number => Math.min(Math.max(k, 0), size - 1);
     return Array.from({ length: width * height }, (_, pixel) => {

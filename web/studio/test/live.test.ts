@@ -33,14 +33,14 @@ before(async () => {
 after(() => browser.end());
 
 /** From linear Rec. 709, relative to its white [cie-15-2018]. */
-function labOf(rgb: readonly number[]): Lab {
+function labOf(rgb: ArrayLike<number>): Lab {
     const rows = [
         [0.4124564, 0.3575761, 0.1804375],
         [0.2126729, 0.7151522, 0.072175],
         [0.0193339, 0.119192, 0.9503041],
     ];
     const [x, y, z] = rows.map((row) => {
-        const dot = (values: readonly number[]) =>
+        const dot = (values: ArrayLike<number>) =>
             row.reduce((sum, weight, c) => sum + weight * (values[c] ?? 0), 0);
         const t = dot(rgb) / dot([1, 1, 1]);
         return t > (6 / 29) ** 3 ? Math.cbrt(t) : (t * (29 / 6) ** 2) / 3 + 4 / 29;

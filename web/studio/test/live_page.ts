@@ -11,8 +11,8 @@ import "./live_probes";
 import { api, asked, recipeOf, schema, shaderOf } from "./live_session";
 
 export interface LivePicture {
-    /** Linear Rec. 709 in RGBA, row by row from the top. */
-    readonly data: number[];
+    /** Linear Rec. 709 in RGBA, row by row from the top; handed over in one piece, as a list is number by number. */
+    readonly data: Float64Array;
     readonly width: number;
     readonly height: number;
 }
@@ -74,10 +74,12 @@ class Views {
     /** The whole picture. */
     whole(): LivePicture {
         const { width, height, data } = this.view.pixels();
-        const rows = Array.from({ length: height }, (_, y) =>
-            Array.from(data.subarray(4 * width * (height - 1 - y), 4 * width * (height - y))),
-        );
-        return { width, height, data: rows.flat() };
+        const turned = new Float64Array(data.length);
+        for (let y = 0; y < height; ++y) {
+            const from = 4 * width * (height - 1 - y);
+            turned.set(data.subarray(from, from + 4 * width), 4 * width * y);
+        }
+        return { width, height, data: turned };
     }
 
     /** What is on the screen. */
@@ -91,7 +93,7 @@ class Views {
         return {
             width,
             height,
-            data: Array.from(flat.getImageData(0, 0, width, height).data, linear),
+            data: Float64Array.from(flat.getImageData(0, 0, width, height).data, linear),
         };
     }
 
@@ -157,7 +159,7 @@ async function traced(scene: Scene, samples: number, specimen: number): Promise<
     const [, arrays] = await asked(fields, "picture");
     const linear = arrays.find(({ name }) => name === "linear");
     if (linear === undefined) throw new Error("a picture came without its linear values");
-    return { width: size, height: size, data: Array.from(linear.data as Float32Array) };
+    return { width: size, height: size, data: Float64Array.from(linear.data as Float32Array) };
 }
 
 declare global {
