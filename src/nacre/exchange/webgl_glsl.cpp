@@ -88,12 +88,13 @@ void add_layer(const WebglShader::Layout& layout, std::size_t n, std::size_t& fl
         lines.add(
             "reach = min(1., NACRE_FARTHEST / max(nacreLeast(min(min(here[0], here[1]), "
             "min(here[2], here[3]))), 1e-20));");
-        lines.add("for (int k = 0; k < NACRE_NODES; ++k) {{");
-        lines.add("    float u = reach * NACRE_NODE[k].x, weight = reach * NACRE_NODE[k].y;");
+        lines.add("node = 0;");
+        lines.add("do {{");
+        lines.add("    float u = reach * NACRE_NODE[node].x, weight = reach * NACRE_NODE[node].y;");
         const std::string gain = webgl_gain(layout, n, "u", "    ", lines);
         lines.add_for_groups(fmt::format(
             "    escape[@] += weight * exp(min({} - here[@] * u, {:.1f}));", gain, bsdf::kMaxGain));
-        lines.add("}}");
+        lines.add("}} while (++node < NACRE_NODES);");
     }
     lines.add_for_groups(fmt::format(
         "once += nacreRgb(kernel[@] * exp(-depth[@]) * nacreLayer[{}].x * escape[@], @);", n));

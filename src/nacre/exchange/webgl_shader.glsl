@@ -134,6 +134,7 @@ NacreLight nacreLight(NacrePair p, bool whole) {
     vec3 once = vec3(0.), ground = vec3(0.), rest = vec3(0.);
     vec4 depth[4], here[4], kernel[4], escape[4], closing;
     float reach, lobe, angle, path = 1. / p.i.z + 1. / p.o.z;
+    int node;
     @DEPTHS@
     @LAYERS@
     return NacreLight(once / (p.i.z * p.o.z), ground, rest);

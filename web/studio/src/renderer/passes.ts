@@ -117,15 +117,17 @@ float densityFromAfar(vec3 w) {
 vec3 drawFromAfar(vec2 u) {
     ivec2 texels = textureSize(byColumn, 0);
     int y = 0;
-    for (int low = 0, high = texels.y - 1; low < high; y = low) {
-        int middle = (low + high) / 2;
-        if (rowAt(middle) > u.y) high = middle; else low = middle + 1;
-    }
+    int high = texels.y - 1;
+    do {
+        int middle = (y + high) / 2;
+        if (rowAt(middle) > u.y) high = middle; else y = middle + 1;
+    } while (y < high);
     int x = 0;
-    for (int low = 0, high = texels.x - 1; low < high; x = low) {
-        int middle = (low + high) / 2;
-        if (columnAt(middle, y) > u.x) high = middle; else low = middle + 1;
-    }
+    high = texels.x - 1;
+    do {
+        int middle = (x + high) / 2;
+        if (columnAt(middle, y) > u.x) high = middle; else x = middle + 1;
+    } while (x < high);
     float left = columnAt(x - 1, y), above = rowAt(y - 1);
     vec2 part = clamp(vec2((u.x - left) / max(columnAt(x, y) - left, 1e-20),
                            (u.y - above) / max(rowAt(y) - above, 1e-20)), 0., 1.);
@@ -163,8 +165,8 @@ vec3 radianceFrom(vec3 place, vec3 w, out float density) {
 const float EVEN = .3;  // the part of the paint's directions that are drawn evenly
 float densityOfPaint(vec3 wi, vec3 wo) {
     float sum = 0.;
-    int count = int(nacreLobeCount);
-    for (int k = 0; k < count; ++k) sum += nacreDensity(k, wi, wo);
+    int count = int(nacreLobeCount), k = 0;
+    do sum += nacreDensity(k, wi, wo); while (++k < count);
     return EVEN * wo.z / PI + (1. - EVEN) / float(count) * sum;
 }
 ${FLAKES}
@@ -183,25 +185,23 @@ vec3 shaded(vec3 place, vec3 n, vec3 view, out vec3 ofFlakes) {
     }
     ofFlakes = shadedFlakes(place, toWorld, wi, towardsSun);
     vec3 sum = vec3(0.);
-    // Directions from the paint, from afar and from each rectangle, and at last to the sun. Asked at its end, as
-    // processors that draw in place of a card run through a loop's body once more where it is asked before.
+    // Directions from the paint, from afar and from each rectangle, and at last to the sun. Processors that draw in
+    // place of a card compute both sides of an if, and a loop's body once more than it runs where it is asked at
+    // its beginning, here and in what it calls.
+    float which = evenlyOne(7u);
+    vec2 u = evenly(0u);
+    float r = sqrt(u.x), phi = 2. * PI * u.y;
+    vec3 ofPaint = nacreDraw(clamp(int((which - EVEN) / (1. - EVEN) * nacreLobeCount), 0, int(nacreLobeCount) - 1), wi, u);
+    if (which < EVEN) ofPaint = vec3(r * cos(phi), r * sin(phi), sqrt(1. - u.x));
+    vec3 fromFar = drawFromAfar(evenly(1u));
     int toSun = 2 + rectangleCount, ways = towardsSun.z > 1e-4 ? toSun + 1 : toSun, way = 0;
     do {
-        vec2 u = evenly(uint(way));
-        vec3 w, wo, radiance;
+        vec3 wo = ofPaint, w = toWorld * wo, radiance;
         float scale = 0.;
-        if (way == 0) {
-            float which = evenlyOne(7u);
-            float r = sqrt(u.x), phi = 2. * PI * u.y;
-            if (which < EVEN) wo = vec3(r * cos(phi), r * sin(phi), sqrt(1. - u.x));
-            else wo = nacreDraw(min(int((which - EVEN) / (1. - EVEN) * nacreLobeCount), int(nacreLobeCount) - 1), wi, u);
-            w = toWorld * wo;
-        } else if (way == 1) {
-            w = drawFromAfar(u);
-            wo = w * toWorld;
-        } else if (way < toSun) {
-            vec3 at = corner[way - 2] + u.x * edgeU[way - 2] + u.y * edgeV[way - 2];
-            w = normalize(at - place);
+        if (way > 0) {
+            u = evenly(uint(way));
+            int k = min(max(way - 2, 0), ${String(MOST_RECTANGLES - 1)});
+            w = way == 1 ? fromFar : normalize(corner[k] + u.x * edgeU[k] + u.y * edgeV[k] - place);
             wo = w * toWorld;
         }
         if (way == toSun) {
