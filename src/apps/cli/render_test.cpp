@@ -18,7 +18,7 @@ using ::testing::Not;
 
 TEST_F(Program, RenderTellsItsNoise) {
     const std::string render =
-        "render sphere --paint gray.toml --model microflake --size 64x64 -o out.exr --report "
+        "render sphere --paint gray.toml --model microflake --size 128x128 -o out.exr --report "
         "r.json ";
     const Outcome few = nacre(render + "--spp 4");
     EXPECT_THAT(few.err, HasSubstr("4 samples each, noise "));
