@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nacre/core/parallel.h"
+
 namespace nacre::render {
 namespace {
 
@@ -68,8 +70,30 @@ double accumulate(const std::vector<double>& weights, float* cdf) {
 
 }  // namespace
 
+std::vector<float> DirectionDistribution::tabulated(int columns, int rows,
+                                                    const std::function<float(Vec3f)>& brightness) {
+    const std::size_t across = std::size_t{kAcross} * columns, down = std::size_t{kAcross} * rows;
+    std::vector<Vec2f> level(across);  // directions along the horizon
+    for (std::size_t i = 0; i < across; ++i) {
+        const Vec3f d = from_square(Vec2f{(i + 0.5f) / across, 0.5f});
+        level[i] = {d.x, d.y};
+    }
+    std::vector<float> values(across * down);
+    parallel_for(0, down, [&](std::size_t row) {
+        const float z = 1 - 2 * ((row + 0.5f) / down), r = std::sqrt(1 - z * z);
+        for (std::size_t i = 0; i < across; ++i) {
+            values[row * across + i] = brightness(Vec3f{r * level[i].x, r * level[i].y, z});
+        }
+    });
+    return values;
+}
+
 DirectionDistribution::DirectionDistribution(int columns, int rows,
                                              const std::function<float(Vec3f)>& brightness)
+    : DirectionDistribution(columns, rows, tabulated(columns, rows, brightness)) {}
+
+DirectionDistribution::DirectionDistribution(int columns, int rows,
+                                             const std::vector<float>& brightness)
     : columns_(columns),
       rows_(rows),
       density_(static_cast<std::size_t>(columns) * rows),
@@ -78,45 +102,46 @@ DirectionDistribution::DirectionDistribution(int columns, int rows,
       row_cdf_(rows + 1),
       column_guide_(static_cast<std::size_t>(columns) * rows),
       row_guide_(rows) {
-    // Points of a cell in each direction. Those next to it in the cells around it count as well: an
-    // edge that comes into it less far than its first points would have no density there, and light
-    // that only few samples of surfaces find.
-    constexpr int kAcross = 3;
     const int points = columns * kAcross;
-    // Of a row of points: Int brightness d omega and Int d omega over what counts for each cell.
-    std::vector<double> cell(density_.size()), angles(density_.size());
-    std::vector<double> point_sum(points), point_angle(points), row_sum(columns),
-        row_angle(columns);
-    double sphere = 0, all = 0;  // the same over the sphere, for the mean
-    for (int row = 0; row < rows * kAcross; ++row) {
-        for (int i = 0; i < points; ++i) {
-            const Vec3f direction =
-                from_square(Vec2f{(i + 0.5f) / static_cast<float>(points),
-                                  (row + 0.5f) / static_cast<float>(rows * kAcross)});
-            point_angle[i] = 1 / jacobian(direction);
-            point_sum[i] = brightness(direction) * point_angle[i];
-            all += point_angle[i];
-            sphere += point_sum[i];
+    // Solid angles of points but for a factor; those of a column of the map are alike.
+    std::vector<double> angle(points);
+    double all = 0, sphere = 0;  // their sum, and that of brightness times angle, for the mean
+    for (int i = 0; i < points; ++i) {
+        angle[i] = 1 / jacobian(from_square(Vec2f{(i + 0.5f) / static_cast<float>(points), 0.5f}));
+        all += angle[i] * rows * kAcross;
+    }
+    // The points next to a cell in those around it count as well: an edge that comes into it less far
+    // than its first points would have no density there, and light that only few samples of surfaces find.
+    const auto sum_about = [&](int column, const auto& value) {
+        double sum = 0;
+        for (int i = column * kAcross - 1; i <= (column + 1) * kAcross; ++i) {
+            sum += value((i + points) % points);
         }
-        for (int c = 0; c < columns; ++c) {
-            row_sum[c] = row_angle[c] = 0;
-            for (int i = c * kAcross - 1; i <= (c + 1) * kAcross; ++i) {
-                const int around = (i + points) % points;
-                row_sum[c] += point_sum[around];
-                row_angle[c] += point_angle[around];
-            }
+        return sum;
+    };
+    std::vector<double> cell(density_.size()), lit(points);
+    for (int row = 0; row < rows * kAcross; ++row) {
+        const float* const values = &brightness[static_cast<std::size_t>(row) * points];
+        for (int i = 0; i < points; ++i) {
+            lit[i] = values[i] * angle[i];
+            sphere += lit[i];
         }
         const int first = std::max((row - 1) / kAcross, 0),
                   last = std::min((row + 1) / kAcross, rows - 1);
-        for (int r = first; r <= last; ++r) {
-            for (int c = 0; c < columns; ++c) {
-                cell[static_cast<std::size_t>(r) * columns + c] += row_sum[c];
-                angles[static_cast<std::size_t>(r) * columns + c] += row_angle[c];
+        for (int c = 0; c < columns; ++c) {
+            const double sum = sum_about(c, [&](int i) { return lit[i]; });
+            for (int r = first; r <= last; ++r) {
+                cell[static_cast<std::size_t>(r) * columns + c] += sum;
             }
         }
     }
-    for (std::size_t i = 0; i < cell.size(); ++i) {
-        brightness_[i] = static_cast<float>(cell[i] / angles[i]);
+    for (int r = 0; r < rows; ++r) {
+        const int counted = kAcross + (r > 0) + (r + 1 < rows);  // rows of points
+        for (int c = 0; c < columns; ++c) {
+            const std::size_t at = static_cast<std::size_t>(r) * columns + c;
+            const double angles = counted * sum_about(c, [&](int i) { return angle[i]; });
+            brightness_[at] = static_cast<float>(cell[at] / angles);
+        }
     }
     mean_ = static_cast<float>(sphere / all);
     std::vector<double> weights(columns), row_total(rows);

@@ -32,6 +32,11 @@ class DirectionDistribution {
     /// columns x rows cells, each count in [1, 65535]. Where it vanishes everywhere the density is
     /// uniform.
     DirectionDistribution(int columns, int rows, const std::function<float(Vec3f)>& brightness);
+    /// @param brightness  as tabulated() has it
+    DirectionDistribution(int columns, int rows, const std::vector<float>& brightness);
+    /// The brightness at the points by which a density is made: kAcross of each cell both ways, row by row.
+    static std::vector<float> tabulated(int columns, int rows,
+                                        const std::function<float(Vec3f)>& brightness);
 
     DirectionSample<float> sample(Vec2f u) const { return sample_at(u); }
     DirectionSample<FloatLanes> sample(Vec2<FloatLanes> u) const { return sample_at(u); }
@@ -63,6 +68,8 @@ class DirectionDistribution {
     static Vec3<T> from_square(Vec2<T> square);
 
  private:
+    static constexpr int kAcross = 3;
+
     template <class T>
     DirectionSample<T> sample_at(Vec2<T> u) const;
 

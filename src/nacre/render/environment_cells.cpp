@@ -91,10 +91,11 @@ std::vector<CellSums> sums_of(const EnvironmentRadiance& environment, int detail
     const int wide = kCoarseColumns * scale, high = kCoarseRows * scale;
     const int across = (detail + wide - 1) / wide, down = across;
     std::vector<CellSums> cells(std::size_t(wide) * high);
-    for (int cell = 0; cell < wide * high; ++cell) {
+    parallel_for(0, cells.size(), [&](std::size_t cell) {
+        const int column = static_cast<int>(cell) % wide, row = static_cast<int>(cell) / wide;
         for (int i = 0; i < across * down; ++i) {
-            const float u = (cell % wide + (i % across + 0.5f) / across) / wide;
-            const float v = (cell / wide + (i / across + 0.5f) / down) / high;
+            const float u = (column + (i % across + 0.5f) / across) / wide;
+            const float v = (row + (i / across + 0.5f) / down) / high;
             const Vec3f d = DirectionDistribution::from_square(Vec2f{u, v});
             // Solid angle of the point: the map keeps areas in height alone.
             const float round = std::sqrt(d.x * d.x + d.y * d.y);
@@ -102,7 +103,7 @@ std::vector<CellSums> sums_of(const EnvironmentRadiance& environment, int detail
             const Coefficients c = environment.coefficients(d);
             cells[cell].add(c, environment.luminance_of(c), bend * bend);
         }
-    }
+    });
     return cells;
 }
 

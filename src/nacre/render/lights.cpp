@@ -87,7 +87,9 @@ LightSet::LightSet(const std::vector<Light>& lights, const std::optional<Environ
     if (environment) {
         CompiledEnvironment compiled = compile_environment(*environment, basis);
         environment_ = std::move(compiled.radiance);
-        const auto luminance = [this](Vec3f d) { return environment_->luminance(d); };
+        std::vector<float> luminance = DirectionDistribution::tabulated(
+            compiled.table_columns, compiled.table_rows,
+            [this](Vec3f d) { return environment_->luminance(d); });
         const DirectionDistribution& all =
             alone_.environment.emplace(compiled.table_columns, compiled.table_rows, luminance);
         const float mean = all.mean_brightness();
@@ -95,9 +97,9 @@ LightSet::LightSet(const std::vector<Light>& lights, const std::optional<Environ
         constexpr float kMinOverMean = 1e-3f;
         least_brightness_ = mean > 0 ? kMinOverMean * mean : 1.0f;
         colours_ = colours_of(*environment_);
-        const DirectionDistribution& peaks = beside_.environment.emplace(
-            compiled.table_columns, compiled.table_rows,
-            [&](Vec3f d) { return std::max(0.0f, luminance(d) - mean); });
+        for (float& y : luminance) y = std::max(0.0f, y - mean);
+        const DirectionDistribution& peaks =
+            beside_.environment.emplace(compiled.table_columns, compiled.table_rows, luminance);
         // What is left of an even sky is rounding.
         constexpr float kMin = 1e-4f;
         if (peaks.mean_brightness() > kMin * mean) {
