@@ -77,7 +77,7 @@ TEST(Emission, LampsWithLinesHaveTheirLightInFull) {
     }
 }
 
-// As many as there are, each once, and none far from where an even spacing would have it before.
+// Each of as many evenly spaced offsets once.
 TEST(Emission, WavelengthsOfPassesAreEven) {
     for (const std::uint32_t passes : {1u, 2u, 3u, 6u, 16u, 30u, 64u, 210u, 4096u, 30030u}) {
         const double spacing_nm = (kFilmLast_nm - kFilmFirst_nm) / kLanes / passes;
