@@ -36,7 +36,7 @@ function(nacre_install)
 
   # What tests share, and what only our own sources include, stays here.
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/nacre DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-          FILES_MATCHING PATTERN "*.h" PATTERN "testing" EXCLUDE PATTERN "door" EXCLUDE
+          FILES_MATCHING PATTERN "*.h" PATTERN "testing" EXCLUDE PATTERN "api" EXCLUDE
           PATTERN "*test_support.h" EXCLUDE PATTERN "core/embree.h" EXCLUDE
           PATTERN "io/hdf5_file.h" EXCLUDE)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/data ${PROJECT_SOURCE_DIR}/paints

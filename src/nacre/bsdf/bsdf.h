@@ -146,13 +146,13 @@ struct BinderIndex {
     FloatLanes each = splat(1.0f);
 };
 
-/// Optical depths of layers of flakes: extinctions along one direction times the thickness along the
-/// normal. Light crosses them divided by its cosine to the normal of the layers.
-struct FlakeDepths {
-    FloatLanes flakes{};     ///< what meets flakes and does not pass straight on
-    FloatLanes mirrored{};   ///< of it, what they reflect
-    FloatLanes pigments{};   ///< scattered or absorbed by pigments
-    FloatLanes swallowed{};  ///< of it, what they absorb
+/// Optical depths of layers of flakes, along the layers' normal: extinction for one direction times the
+/// thickness. Divided by the direction's cosine they are those along it.
+struct OpticalDepths {
+    FloatLanes flake_extinction{};  ///< light that meets a flake and does not pass straight on
+    FloatLanes flake_scattering{};  ///< of it, what flakes reflect
+    FloatLanes pigment_extinction{};
+    FloatLanes pigment_absorption{};
 };
 
 /// What was scattered more than once, or by the ground.
@@ -289,7 +289,7 @@ class BoundBsdf {
     virtual MultiplyScattered multiply_scattered(Vec3f /*wi*/, Vec3f /*wo*/) const { return {}; }
     /// Of the layers down to the lowest flakes, for light whose cosine inside to the flakes' mean normal,
     /// above 0, is given.
-    virtual FlakeDepths flake_depths(float /*cosine*/) const { return {}; }
+    virtual OpticalDepths optical_depths(float /*cosine*/) const { return {}; }
 
     /// Of surfaces whose coat is thicker at some places than at others (VariedCoat): for directions
     /// above the horizon, where the thickness deviates from its mean by so many standard

@@ -12,9 +12,9 @@
 namespace nacre::bsdf {
 namespace {
 
-/// Fraction of the samples that are spread over the hemisphere: the flat paint's own do not reach what
-/// lies beyond its critical angle, a tenth and more of all light.
-constexpr float kAround = 1 / 4.0f;
+/// Probability of a sample of the cosine-weighted hemisphere: those of the flat paint do not reach
+/// directions beyond its critical angle, which have a tenth and more of all light.
+constexpr float kHemisphereProbability = 1 / 4.0f;
 
 Vec3f refracted(Vec3f w, float n) {
     const float sine2 = (w.x * w.x + w.y * w.y) / (n * n);
@@ -32,8 +32,8 @@ LeaningFlakes::Lean::Lean(Vec2f tangents) : n(normalize(Vec3f{tangents.x, tangen
 
 LeaningFlakes::Lean LeaningFlakes::Lean::twice() const {
     // n stays far from 45 deg (paint::limits::kLeanTilt).
-    const float longer = 2 * n.z / (2 * n.z * n.z - 1);
-    return Lean({n.x * longer, n.y * longer});
+    const float scale = 2 * n.z / (2 * n.z * n.z - 1);  // sin(t) scale = tan(2t)
+    return Lean({n.x * scale, n.y * scale});
 }
 
 std::unique_ptr<const BoundBsdf> bind_with_lean(const Bsdf& surface,
@@ -45,20 +45,20 @@ std::unique_ptr<const BoundBsdf> bind_with_lean(const Bsdf& surface,
 }
 
 LeaningFlakes::LeaningFlakes(const BoundBsdf& flat, const Lean& lean,
-                             std::optional<Vec3f> seen_from)
+                             std::optional<Vec3f> fixed_direction)
     : flat_(flat),
       lean_(lean),
-      twice_(lean.twice()),
+      double_lean_(lean.twice()),
       index_(flat.binder_index()),
       coat_depth_(flat.coat_depth()),
       coat_absorbs_(lane_max(coat_depth_) > 0),
-      least_cosine_(
+      critical_cosine_(
           std::sqrt(1 - (1 - kMinFlatCosine * kMinFlatCosine) / (index_.mean * index_.mean))),
-      ground_(flat.multiply_scattered({0, 0, 1}, far_from({1, 0})).from_ground) {
+      ground_(flat.multiply_scattered({0, 0, 1}, direction_away_from({1, 0})).from_ground) {
     if (over_ground()) along_normal_ = flat_passage(1, 1);
-    if (const auto ray = seen_from ? ray_of(*seen_from) : std::nullopt) {
-        seen_from_ = see(*ray);
-        if (over_ground()) seen_from_->ground = ground_rays(*seen_from_);
+    if (const auto ray = fixed_direction ? ray_of(*fixed_direction) : std::nullopt) {
+        kept_path_ = path_of(*ray);
+        if (over_ground()) kept_path_->ground = ground_rays(*kept_path_);
     }
 }
 
@@ -73,120 +73,127 @@ std::optional<LeaningFlakes::Ray> LeaningFlakes::ray_of(Vec3f w) const {
     ray.inside = refracted(w, index_.mean);
     // Within the critical angle, and no lean goes beyond the rest (paint::limits::kLeanTilt).
     ray.cosine = dot(ray.inside, lean_.n);
-    if (!(ray.cosine > 0) || !(dot(ray.inside, twice_.n) > 0)) return std::nullopt;
-    ray.flat = flat_of(lean_, ray.inside);
+    if (!(ray.cosine > 0) || !(dot(ray.inside, double_lean_.n) > 0)) return std::nullopt;
+    ray.flat = outside_flat_coat(lean_, ray.inside);
     const bool leaves = ray.flat.z > kMinFlatCosine;
     ray.jacobian = leaves ? ray.cosine * w.z / (ray.inside.z * ray.flat.z) : 0.0f;
     return ray;
 }
 
-// Outside a flat coat, of a direction inside that the frame of the lean turns; beyond the critical angle at it.
-Vec3f LeaningFlakes::flat_of(const Lean& lean, Vec3f inside) const {
+// Outside a flat coat over flakes that lean so, of a direction inside; at the critical angle if beyond it.
+Vec3f LeaningFlakes::outside_flat_coat(const Lean& lean, Vec3f inside) const {
     const float n = index_.mean, x = n * dot(inside, lean.s), y = n * dot(inside, lean.t);
     const float sine2 = x * x + y * y, cosine2 = 1 - sine2;
     if (cosine2 > kMinFlatCosine * kMinFlatCosine) return {x, y, std::sqrt(cosine2)};
-    const float shorter = std::sqrt((1 - kMinFlatCosine * kMinFlatCosine) / sine2);
-    return {x * shorter, y * shorter, kMinFlatCosine};
+    const float scale = std::sqrt((1 - kMinFlatCosine * kMinFlatCosine) / sine2);
+    return {x * scale, y * scale, kMinFlatCosine};
 }
 
-LeaningFlakes::Seen LeaningFlakes::see(const Ray& ray) const {
-    Seen seen;
-    static_cast<Ray&>(seen) = ray;
-    seen.twice = flat_of(twice_, ray.inside);
-    const FlakeDepths depths = flat_.flake_depths(ray.cosine);
-    const FloatLanes depth = depths.flakes + depths.pigments;
-    seen.depth = depth * (1 / ray.inside.z);
-    seen.asked = depth * (1 / ray.cosine);
-    seen.transmitted = transmittance(ray.outside.z);
-    seen.again = seen.transmitted / transmittance(ray.flat.z);
-    seen.again_twice = seen.transmitted / transmittance(seen.twice.z);
+LeaningFlakes::Path LeaningFlakes::path_of(const Ray& ray) const {
+    Path path;
+    static_cast<Ray&>(path) = ray;
+    path.double_lean = outside_flat_coat(double_lean_, ray.inside);
+    const OpticalDepths depths = flat_.optical_depths(ray.cosine);
+    const FloatLanes depth = depths.flake_extinction + depths.pigment_extinction;
+    path.depth = depth * (1 / ray.inside.z);
+    path.flat_depth = depth * (1 / ray.cosine);
+    path.transmittance = transmittance(ray.outside.z);
+    path.multiple_factor = path.transmittance / transmittance(ray.flat.z);
+    path.returned_factor = path.transmittance / transmittance(path.double_lean.z);
     if (coat_absorbs_) {
-        // The way through the clear coat is that of the true direction.
-        const float here = 1 / ray.inside.z;
-        seen.again *= exp_lanes((1 / ray.cosine - here) * coat_depth_);
-        seen.again_twice *= exp_lanes((1 / dot(ray.inside, twice_.n) - here) * coat_depth_);
+        const float path_length = 1 / ray.inside.z;  // through a coat of thickness 1
+        path.multiple_factor *= exp_lanes((1 / ray.cosine - path_length) * coat_depth_);
+        path.returned_factor *=
+            exp_lanes((1 / dot(ray.inside, double_lean_.n) - path_length) * coat_depth_);
     }
-    return seen;
+    return path;
 }
 
-const LeaningFlakes::Seen* LeaningFlakes::see(Vec3f w, std::optional<Seen>& room) const {
-    if (seen_from_ && w == seen_from_->outside) return &*seen_from_;
+const LeaningFlakes::Path* LeaningFlakes::path_of(Vec3f w, std::optional<Path>& storage) const {
+    if (kept_path_ && w == kept_path_->outside) return &*kept_path_;
     const auto ray = ray_of(w);
     if (!ray) return nullptr;
-    return &room.emplace(see(*ray));
+    return &storage.emplace(path_of(*ray));
 }
 
-FloatLanes LeaningFlakes::seen_once(const Seen& i, const Seen& o) const {
+FloatLanes LeaningFlakes::attenuation_ratio(const Path& i, const Path& o) const {
     return (i.cosine * o.cosine / (i.inside.z * o.inside.z)) * mean_attenuation(i.depth + o.depth) /
-           mean_attenuation(i.asked + o.asked);
+           mean_attenuation(i.flat_depth + o.flat_depth);
 }
 
-LeaningFlakes::Nearest LeaningFlakes::nearest(const Seen& seen_i, const Seen& seen_o) const {
+LeaningFlakes::SubstitutePair LeaningFlakes::substitute_pair(const Path& path_i,
+                                                             const Path& path_o) const {
     const float n = index_.mean;
-    const Vec3f i = lean_.to_flakes(seen_i.inside), o = lean_.to_flakes(seen_o.inside);
-    const Vec3f apart = i - o, h = normalize(i + o);
-    Vec3f there_i, there_o;
-    const bool steep = h.z <= least_cosine_;
+    const Vec3f i = lean_.to_flakes(path_i.inside), o = lean_.to_flakes(path_o.inside);
+    const Vec3f difference = i - o, h = normalize(i + o);
+    Vec3f inside_i, inside_o;
+    const bool steep = h.z <= critical_cosine_;
     if (steep) {
-        const float flatter =
-            std::sqrt((1 - least_cosine_ * least_cosine_) / (h.x * h.x + h.y * h.y));
-        there_i = there_o = {h.x * flatter, h.y * flatter, least_cosine_};
+        const float scale =
+            std::sqrt((1 - critical_cosine_ * critical_cosine_) / (h.x * h.x + h.y * h.y));
+        inside_i = inside_o = {h.x * scale, h.y * scale, critical_cosine_};
     } else {
-        const Vec3f e = dot(apart, apart) > 0 ? normalize(apart) : Vec3f{};
-        // cos d h.z - sin d |e.z| = least_cosine_, d half the angle between the two.
+        const Vec3f e = dot(difference, difference) > 0 ? normalize(difference) : Vec3f{};
+        // cos d h.z - sin d |e.z| = critical_cosine_, d half the angle between the two.
         const float d =
-            std::acos(least_cosine_ / std::hypot(h.z, e.z)) - std::atan2(std::abs(e.z), h.z);
-        there_i = std::cos(d) * h + std::sin(d) * e;
-        there_o = std::cos(d) * h - std::sin(d) * e;
+            std::acos(critical_cosine_ / std::hypot(h.z, e.z)) - std::atan2(std::abs(e.z), h.z);
+        inside_i = std::cos(d) * h + std::sin(d) * e;
+        inside_o = std::cos(d) * h - std::sin(d) * e;
     }
-    const auto leave = [&](Vec3f in) {
+    const auto refract_out = [&](Vec3f in) {
         const float sine2 = n * n * (in.x * in.x + in.y * in.y);
         return normalize(Vec3f{n * in.x, n * in.y, std::sqrt(std::max(1e-8f, 1 - sine2))});
     };
-    Nearest pair;
-    pair.wi = leave(there_i);
-    pair.wo = leave(there_o);
-    const auto asked_there = [&](Seen seen, float cosine) {
-        const FlakeDepths depths = flat_.flake_depths(cosine);
-        seen.cosine = cosine;
-        seen.asked = (depths.flakes + depths.pigments) / cosine;
-        return seen;
+    SubstitutePair pair;
+    pair.wi = refract_out(inside_i);
+    pair.wo = refract_out(inside_o);
+    const auto with_flat_cosine = [&](Path path, float cosine) {
+        const OpticalDepths depths = flat_.optical_depths(cosine);
+        path.cosine = cosine;
+        path.flat_depth = (depths.flake_extinction + depths.pigment_extinction) / cosine;
+        return path;
     };
-    const float longer = 1 / seen_i.inside.z - 1 / there_i.z + 1 / seen_o.inside.z - 1 / there_o.z;
-    pair.again = seen_i.transmitted / transmittance(pair.wi.z) *
-                 (seen_o.transmitted / transmittance(pair.wo.z)) * exp_lanes(-longer * coat_depth_);
+    const float extra_length =
+        1 / path_i.inside.z - 1 / inside_i.z + 1 / path_o.inside.z - 1 / inside_o.z;
+    pair.multiple_factor = path_i.transmittance / transmittance(pair.wi.z) *
+                           (path_o.transmittance / transmittance(pair.wo.z)) *
+                           exp_lanes(-extra_length * coat_depth_);
     if (!steep) {
-        pair.once =
-            pair.again * seen_once(asked_there(seen_i, there_i.z), asked_there(seen_o, there_o.z));
+        pair.single_factor =
+            pair.multiple_factor * attenuation_ratio(with_flat_cosine(path_i, inside_i.z),
+                                                     with_flat_cosine(path_o, inside_o.z));
     }
     return pair;
 }
 
 template <class F>
-FloatLanes LeaningFlakes::value(const Seen& i, const Seen& o, const FloatLanes& f,
-                                const F& beyond) const {
+FloatLanes LeaningFlakes::value(const Path& i, const Path& o, const FloatLanes& f,
+                                const F& eval_substitute) const {
     FloatLanes no_internal_reflection;
     if (beyond_critical(i, o)) {
-        const Nearest pair = nearest(i, o);
-        const MultiplyScattered again = flat_.multiply_scattered(pair.wi, pair.wo);
+        const SubstitutePair pair = substitute_pair(i, o);
+        const MultiplyScattered multiple = flat_.multiply_scattered(pair.wi, pair.wo);
         no_internal_reflection =
-            again.no_internal_reflection * pair.again +
-            max_lanes(beyond(pair.wi, pair.wo) - again.all, FloatLanes{}) * pair.once;
+            multiple.no_internal_reflection * pair.multiple_factor +
+            max_lanes(eval_substitute(pair.wi, pair.wo) - multiple.all, FloatLanes{}) *
+                pair.single_factor;
     } else {
-        const MultiplyScattered again = flat_.multiply_scattered(i.flat, o.flat);
-        no_internal_reflection = again.no_internal_reflection * i.again * o.again +
-                                 (f - min_lanes(again.all, f)) * once_factor(i, o);
+        const MultiplyScattered multiple = flat_.multiply_scattered(i.flat, o.flat);
+        no_internal_reflection =
+            multiple.no_internal_reflection * i.multiple_factor * o.multiple_factor +
+            (f - min_lanes(multiple.all, f)) * single_factor(i, o);
     }
-    const MultiplyScattered twice = flat_.multiply_scattered(i.twice, o.twice);
+    const MultiplyScattered double_lean = flat_.multiply_scattered(i.double_lean, o.double_lean);
     const FloatLanes returned =
-        max_lanes(twice.all - (twice.no_internal_reflection + twice.from_ground), FloatLanes{});
-    return no_internal_reflection + returned * i.again_twice * o.again_twice +
-           from_ground(i, o, twice.from_ground);
+        max_lanes(double_lean.all - (double_lean.no_internal_reflection + double_lean.from_ground),
+                  FloatLanes{});
+    return no_internal_reflection + returned * i.returned_factor * o.returned_factor +
+           from_ground(i, o, double_lean.from_ground);
 }
 
 float LeaningFlakes::mixed_pdf(float flat, const Ray& o) {
-    return (1 - kAround) * flat * o.jacobian +
-           kAround * std::numbers::inv_pi_v<float> * o.outside.z;
+    return (1 - kHemisphereProbability) * flat * o.jacobian +
+           kHemisphereProbability * std::numbers::inv_pi_v<float> * o.outside.z;
 }
 
 float LeaningFlakes::pdf(Vec3f wi, Vec3f wo) const {
@@ -195,40 +202,41 @@ float LeaningFlakes::pdf(Vec3f wi, Vec3f wo) const {
 }
 
 template <class Evaluate, class F>
-BsdfValue LeaningFlakes::evaluate_by(Vec3f wi, Vec3f wo, const Evaluate& asked,
-                                     const F& beyond) const {
-    std::optional<Seen> room_i, room_o;
-    const Seen *i = see(wi, room_i), *o = see(wo, room_o);
+BsdfValue LeaningFlakes::evaluate_by(Vec3f wi, Vec3f wo, const Evaluate& evaluate_flat,
+                                     const F& eval_substitute) const {
+    std::optional<Path> storage_i, storage_o;
+    const Path *i = path_of(wi, storage_i), *o = path_of(wo, storage_o);
     if (!i || !o) return {};
     BsdfValue flat;
-    if (o->jacobian > 0) flat = asked(i->flat, o->flat);
-    return {value(*i, *o, flat.f, beyond), mixed_pdf(flat.pdf, *o)};
+    if (o->jacobian > 0) flat = evaluate_flat(i->flat, o->flat);
+    return {value(*i, *o, flat.f, eval_substitute), mixed_pdf(flat.pdf, *o)};
 }
 
 template <class Sample, class Evaluate, class F>
 std::optional<BsdfSample> LeaningFlakes::sample_by(Vec3f wi, float u_select, Vec2f u,
-                                                   const Sample& sample, const Evaluate& asked,
-                                                   const F& beyond) const {
-    std::optional<Seen> room_i, room_o;
-    const Seen* const i = see(wi, room_i);
+                                                   const Sample& sample_flat,
+                                                   const Evaluate& evaluate_flat,
+                                                   const F& eval_substitute) const {
+    std::optional<Path> storage_i, storage_o;
+    const Path* const i = path_of(wi, storage_i);
     if (!i) return std::nullopt;
-    if (u_select >= 1 - kAround) {
+    if (u_select >= 1 - kHemisphereProbability) {
         BsdfSample out;
         out.wo = cosine_hemisphere(u);
-        const BsdfValue value = evaluate_by(wi, out.wo, asked, beyond);
+        const BsdfValue value = evaluate_by(wi, out.wo, evaluate_flat, eval_substitute);
         if (!(value.pdf > 0)) return std::nullopt;
         out.pdf = value.pdf;
         out.weight = value.f * (out.wo.z / value.pdf);
         return out;
     }
-    const float rest = std::min(u_select / (1 - kAround), 0x1.fffffep-1f);
-    auto out = sample(i->flat, rest, u);
+    const float u_flat = std::min(u_select / (1 - kHemisphereProbability), 0x1.fffffep-1f);
+    auto out = sample_flat(i->flat, u_flat, u);
     if (!out) return std::nullopt;
     if (out->kind == SampleKind::specular) {
-        // Of the interface, whatever the flakes do.
-        out->pdf *= 1 - kAround;
+        // Of the interface, which does not lean.
+        out->pdf *= 1 - kHemisphereProbability;
         out->wo = {-wi.x, -wi.y, wi.z};
-        out->weight = (1.0f - i->transmitted) * (1 / out->pdf);
+        out->weight = (1.0f - i->transmittance) * (1 / out->pdf);
         return out;
     }
     const Vec3f inside = lean_.from_flakes(refracted(out->wo, index_.mean));
@@ -236,39 +244,39 @@ std::optional<BsdfSample> LeaningFlakes::sample_by(Vec3f wi, float u_select, Vec
     if (!(cosine2 > 0) || !(inside.z > 0)) return std::nullopt;
     const auto ray = ray_of({x, y, std::sqrt(cosine2)});
     if (!ray || ray->jacobian == 0) return std::nullopt;
-    // The same as evaluate_by(), without asking the flat paint again.
-    const Seen* const o = &room_o.emplace(see(*ray));
+    // As evaluate_by(), with the f that the sample has.
+    const Path* const o = &storage_o.emplace(path_of(*ray));
     const FloatLanes f = out->weight * (out->pdf / out->wo.z);
     out->wo = o->outside;
     out->pdf = mixed_pdf(out->pdf, *o);
-    out->weight = value(*i, *o, f, beyond) * (out->wo.z / out->pdf);
+    out->weight = value(*i, *o, f, eval_substitute) * (out->wo.z / out->pdf);
     return out;
 }
 
 FloatLanes LeaningFlakes::pdf_lanes(Vec3f wi, const Vec3Lanes& wo) const {
     const auto i = ray_of(wi);
     if (!i) return FloatLanes{};
-    // ray_of() and mixed_pdf() of eight directions; those below the horizon are taken somewhere above, and
-    // left out then.
+    // ray_of() and mixed_pdf() of eight directions; those below the horizon are computed as if above, and
+    // masked at the end.
     const float n = index_.mean;
     const FloatLanes outside = max_lanes(wo.z, splat(1e-6f));
-    const FloatLanes along = sqrt_lanes(n * n - 1 + outside * outside);  // inside, times n
-    const Vec3Lanes inside = {wo.x, wo.y, along};
+    const FloatLanes cosine_inside = sqrt_lanes(n * n - 1 + outside * outside);  // times n
+    const Vec3Lanes inside = {wo.x, wo.y, cosine_inside};
     const FloatLanes x = dot(inside, splat(lean_.s)), y = dot(inside, splat(lean_.t)),
                      cosine = dot(inside, splat(lean_.n)), cosine2 = 1.0f - x * x - y * y;
     const FloatLanes z = sqrt_lanes(max_lanes(cosine2, splat(kMinFlatCosine * kMinFlatCosine)));
     const FloatLanes flat = flat_.pdf_lanes(i->flat, {x, y, z});
     const FloatLanes drawn = cosine2 > kMinFlatCosine * kMinFlatCosine
-                                 ? flat * (cosine * outside / (along * z))
+                                 ? flat * (cosine * outside / (cosine_inside * z))
                                  : FloatLanes{};
-    const FloatLanes pdf =
-        (1 - kAround) * drawn + kAround * std::numbers::inv_pi_v<float> * outside;
+    const FloatLanes pdf = (1 - kHemisphereProbability) * drawn +
+                           kHemisphereProbability * std::numbers::inv_pi_v<float> * outside;
     return wo.z > 0.0f ? pdf : FloatLanes{};
 }
 
 float LeaningFlakes::specular_probability(Vec3f wi) const {
     const auto i = ray_of(wi);
-    return i ? (1 - kAround) * flat_.specular_probability(i->flat) : 0.0f;
+    return i ? (1 - kHemisphereProbability) * flat_.specular_probability(i->flat) : 0.0f;
 }
 
 BsdfValue LeaningFlakes::evaluate(Vec3f wi, Vec3f wo) const {
@@ -280,7 +288,7 @@ BsdfValue LeaningFlakes::evaluate(Vec3f wi, Vec3f wo) const {
 BsdfValue LeaningFlakes::evaluate_on(const Patch& patch, Vec3f wi, Vec3f wo) const {
     return evaluate_by(
         wi, wo, [&](Vec3f i, Vec3f o) { return flat_.evaluate_on(patch, i, o); },
-        [&](Vec3f i, Vec3f o) { return beyond_on(patch, i, o); });
+        [&](Vec3f i, Vec3f o) { return eval_substitute_on(patch, i, o); });
 }
 
 std::optional<BsdfSample> LeaningFlakes::sample(Vec3f wi, float u_select, Vec2f u) const {
@@ -297,17 +305,16 @@ std::optional<BsdfSample> LeaningFlakes::sample_on(const Patch& patch, Vec3f wi,
         wi, u_select, u,
         [&](Vec3f i, float select, Vec2f at) { return flat_.sample_on(patch, i, select, at); },
         [&](Vec3f i, Vec3f o) { return flat_.evaluate_on(patch, i, o); },
-        [&](Vec3f i, Vec3f o) { return beyond_on(patch, i, o); });
+        [&](Vec3f i, Vec3f o) { return eval_substitute_on(patch, i, o); });
 }
 
-// No flakes are sampled there, and of those that happen to be met by samples of wide light a few would
-// outshine the picture.
-bool LeaningFlakes::is_mean_beyond(const Patch& patch) {
+// Flakes are not sampled there; those that samples of wide light hit by chance would be outliers.
+bool LeaningFlakes::is_substitute_mean(const Patch& patch) {
     return patch.flakes != Patch::Flakes::shown && !(patch.narrow_light_pdf > 0);
 }
 
-FloatLanes LeaningFlakes::beyond_on(const Patch& patch, Vec3f wi, Vec3f wo) const {
-    return is_mean_beyond(patch) ? flat_.eval(wi, wo) : flat_.evaluate_on(patch, wi, wo).f;
+FloatLanes LeaningFlakes::eval_substitute_on(const Patch& patch, Vec3f wi, Vec3f wo) const {
+    return is_substitute_mean(patch) ? flat_.eval(wi, wo) : flat_.evaluate_on(patch, wi, wo).f;
 }
 
 float LeaningFlakes::narrow_light_pdf(Vec3f wi) const {
@@ -319,17 +326,17 @@ void LeaningFlakes::sample_flakes(const Patch& patch, Vec3f wi, std::uint32_t ra
                                   std::vector<FlakeSamples>& list) const {
     list.clear();
     const auto i = ray_of(wi);
-    // Where a pair stands for another none is sampled: beyond_on() or flakes_at() has it all.
+    // Substitute pairs have no samples of their own: eval_substitute_on() or flakes_at() has all their light.
     if (!i || i->jacobian == 0) return;
     flat_.sample_flakes(patch, i->flat, random, list);
     const float n = index_.mean;
     for_each_sample(list, [&](Vec3f& wo, float& pdf) {
         if (wo.z <= kMinFlatCosine) return false;
-        const Vec3f there = refracted(wo, n), inside = lean_.from_flakes(there);
+        const Vec3f in_flakes = refracted(wo, n), inside = lean_.from_flakes(in_flakes);
         const float x = n * inside.x, y = n * inside.y, cosine2 = 1 - x * x - y * y;
         if (!(cosine2 > 0)) return false;
         const float z = std::sqrt(cosine2);
-        pdf *= there.z * z / (inside.z * wo.z);
+        pdf *= in_flakes.z * z / (inside.z * wo.z);
         wo = {x, y, z};
         return true;
     });
@@ -337,28 +344,28 @@ void LeaningFlakes::sample_flakes(const Patch& patch, Vec3f wi, std::uint32_t ra
 
 FloatLanes LeaningFlakes::flake_weight(const Patch& patch, Vec3f wi,
                                        const FlakeSample& flake) const {
-    std::optional<Seen> room_i, room_o;
-    const Seen *i = see(wi, room_i), *o = see(flake.wo, room_o);
+    std::optional<Path> storage_i, storage_o;
+    const Path *i = path_of(wi, storage_i), *o = path_of(flake.wo, storage_o);
     if (!i || !o || beyond_critical(*i, *o)) return FloatLanes{};
     FlakeSample in_flat = flake;
     in_flat.wo = o->flat;
     in_flat.pdf = flake.pdf / o->jacobian;
-    // Its cosines are those to the flat paint.
-    return flat_.flake_weight(patch, i->flat, in_flat) * once_factor(*i, *o) *
+    // The flat paint's cosine to its normal is c', here it is mu.
+    return flat_.flake_weight(patch, i->flat, in_flat) * single_factor(*i, *o) *
            (o->inside.z / o->cosine);
 }
 
 FloatLanes LeaningFlakes::flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float pdf) const {
-    std::optional<Seen> room_i, room_o;
-    const Seen *i = see(wi, room_i), *o = see(wo, room_o);
+    std::optional<Path> storage_i, storage_o;
+    const Path *i = path_of(wi, storage_i), *o = path_of(wo, storage_o);
     if (!i || !o) return FloatLanes{};
     if (beyond_critical(*i, *o)) {
-        if (is_mean_beyond(patch)) return FloatLanes{};
-        const Nearest pair = nearest(*i, *o);
+        if (is_substitute_mean(patch)) return FloatLanes{};
+        const SubstitutePair pair = substitute_pair(*i, *o);
         return flat_.flakes_at(patch, pair.wi, pair.wo, std::numeric_limits<float>::infinity()) *
-               pair.once;
+               pair.single_factor;
     }
-    return flat_.flakes_at(patch, i->flat, o->flat, pdf / o->jacobian) * once_factor(*i, *o);
+    return flat_.flakes_at(patch, i->flat, o->flat, pdf / o->jacobian) * single_factor(*i, *o);
 }
 
 }  // namespace nacre::bsdf

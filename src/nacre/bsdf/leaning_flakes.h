@@ -13,54 +13,55 @@
 
 namespace nacre::bsdf {
 
-/// A paint whose flakes lean, by one whose flakes lie flat: seen from the frame of the leaning flakes,
-/// theirs lie flat and it is coat and layers that are tilted. The flat paint is asked with what a flat coat
-/// over it refracts into the directions that light has inside.                [docs/flakes.md]
+/// A paint whose flakes lean, computed from the paint whose flakes lie flat. In the frame of the flakes'
+/// mean normal m the flakes lie flat, and coat and layers are tilted. The flat paint is therefore evaluated
+/// for the directions that have, below a flat coat, the refracted directions in the frame of the flakes.
+///                                                                              [docs/flakes.md]
+/// Symbols: mu is the cosine of a refracted direction to the layers' normal, c' that to m; i and o are the
+/// two directions; primes mark the flat paint. tau = sigma(c') d is the optical depth of the layers,
+/// extinction times thickness; E(x) = (1 - e^-x) / x; T is the transmittance of the interface.
 ///
-/// What that does to the layers is put right for light that meets one flake. Flakes block a path by
-/// sigma(c'), c' its cosine to their normal, and light crosses the layer by 1/mu, mu its cosine to the
-/// layer's, which of the flat paint's own is c' as well:
+/// Single scattering by flakes. Flakes block a path by sigma(c'), and light crosses the layers by 1/mu, where
+/// the flat paint has 1/c':
 ///
-///     single(wi, wo) = flat_single(wi', wo') T(t_i) / T'_i  T(t_o) / T'_o
-///                      c'_i c'_o / (mu_i mu_o)  E(s_i / mu_i + s_o / mu_o) / E(s_i / c'_i + s_o / c'_o)
+///     single(wi, wo) = flat_single(wi', wo') T_i / T'_i  T_o / T'_o
+///             c'_i c'_o / (mu_i mu_o)  E(tau_i / mu_i + tau_o / mu_o) / E(tau_i / c'_i + tau_o / c'_o)
 ///
-/// with wi', wo' outside a flat coat over flat flakes, s the optical depth sigma(c') times the thickness,
-/// E(x) = (1 - e^-x) / x, and what the clear coat absorbs along mu in place of c'. Light that was scattered
-/// again by flakes and pigments is the flat paint's in the same directions, without the last line, if it
-/// left when it first met the interface. Light that the interface had sent back met flakes before
-/// and after that. Mirrors of the flakes' mean normal m, the coat's n and m again act as one of
-/// normal 2 m - n, to first order: such light is the flat paint's in the frame of flakes that lean
-/// twice as much.
+/// and the clear coat absorbs along 1/mu in place of 1/c'.
 ///
-/// Light that has met the ground passes flakes on its way in and on its way out, each by the transmittance
-/// of all flakes for light of that direction, scattered or not. With rho = mu / c' of light on its way down
-/// and rho* that of its mirror image at m on its way up, light among mirrors obeys
+/// Multiple scattering that leaves when it first meets the interface is the flat paint's in the same
+/// directions, with the factors of interface and coat alone. Light that the interface has reflected back
+/// has met flakes before and after. Reflections at m, at the coat's normal n and at m again are, to first
+/// order in the tilt, one reflection at 2 m - n, so this light is the flat paint's in the frame of flakes
+/// that lean by twice the angle.
+///
+/// Light from the ground crosses the flakes downwards and upwards, attenuated by all of them, scattered
+/// light included. Two streams that the flakes exchange [kubelka-munk-1931] obey, with rho = mu / c' of the
+/// stream down and rho* that of its mirror image at m, which goes up,
 ///
 ///     rho dI/dz = -s I + r I*,     rho* dI*/dz = s I* - r I,
 ///
-/// r what s reflects, and is e^(kappa z) times a solution of flakes that lie flat, with
-/// kappa = s (1/rho* - 1/rho) / 2, s (1/rho* + 1/rho) / 2 in place of s and r / sqrt(rho rho*) of r. Of
-/// light that passes
+/// s the attenuation, r what flakes reflect of it. The solution is e^(kappa z) times that of flakes that lie
+/// flat, kappa = s (1/rho* - 1/rho) / 2, with s (1/rho* + 1/rho) / 2 in place of s and r / sqrt(rho rho*) of r;
+/// the transmittance is
 ///
-///     t = e^kappa / (cosh g + s sinh(g) / g),     g^2 = s^2 - r^2,
+///     t = e^kappa / (cosh gamma + s sinh(gamma) / gamma),     gamma^2 = s^2 - r^2.
 ///
-/// and from_ground() is the flat paint's times t here over t there, in and out. The interface is met by what
-/// flakes mirror upwards: it is asked in the frame of flakes that lean twice as much. What it sends down
-/// again makes the ground brighter by A, told by from_ground() there over that along the normal. Flakes
-/// mirror sqrt(rho* / rho) as much up to it as flat ones do, so that A is 1 / (1 - (1 - 1/A) sqrt(rho* / rho))
-/// here: both are divided by A - (A - 1) sqrt(rho* / rho).
+/// from_ground() is the flat paint's times t of the leaning over t of the flat flakes, in and out. The
+/// interface is met by light that flakes reflect upwards, hence in the frame of twice the lean. What it
+/// reflects down again makes the ground brighter by a factor B, from_ground() there over that along the normal.
+/// Flakes reflect sqrt(rho* / rho) as much towards it as flat ones do, so that here the factor is
+/// 1 / (1 - (1 - 1/B) sqrt(rho* / rho)): from_ground() is divided by B - (B - 1) sqrt(rho* / rho).
 ///
-/// Inside, directions beyond the critical angle of flakes that lie flat leave where the flakes lean. The flat
-/// paint has no such direction and is asked, for all that left when it first met the interface, with the pair
-/// of the same half vector that is just as far apart as it can leave: the same flakes, lit and seen less
-/// obliquely. What the interface returns of a lobe is odd about the critical angle: light from the ground is
-/// asked there, twice, less that of the direction as far on its other side.
+/// Refracted directions beyond the critical angle of a flat coat over flat flakes do leave where flakes
+/// lean. The flat paint has none such; single and multiple scattering are then those of the pair with the
+/// same half vector that is just as far apart as can leave: the same flakes, lit and seen less obliquely.
+/// What the interface reflects of a lobe is odd about the critical angle: light from the ground is twice that at
+/// the critical angle less that of the direction as far on its other side.
 ///
-/// All of it is derived here, from single scattering in a layer [chandrasekhar-1960] and from two
-/// streams as Kubelka and Munk have them [kubelka-munk-1931], along directions that mirrors exchange; errors
-/// against walks and discs stand in docs/flakes.md. f is as reciprocal as the paint that is asked, and
-/// holds to first order in the tilt but for how much light flakes and pigments scattered again, which is
-/// of the flat paint.
+/// Derived here, from single scattering in a layer [chandrasekhar-1960] and the two streams. f is as
+/// reciprocal as the flat paint's. It is right to first order in the tilt, but for the amount of light scattered
+/// more than once, which is the flat paint's. Errors against walks and discs: docs/flakes.md.
 class LeaningFlakes final : public BoundBsdf {
  public:
     /// The flakes' mean normal and the frame around it, into which it is the shortest turn.
@@ -77,9 +78,9 @@ class LeaningFlakes final : public BoundBsdf {
     };
 
     /// @param flat  whose flakes lie flat; must outlive this
-    /// @param seen_from  a direction that is asked again and again: what it needs is kept
+    /// @param fixed_direction  a direction of many calls: what values need of it is computed once
     LeaningFlakes(const BoundBsdf& flat, const Lean& lean,
-                  std::optional<Vec3f> seen_from = std::nullopt);
+                  std::optional<Vec3f> fixed_direction = std::nullopt);
     LeaningFlakes(const LeaningFlakes&) = delete;
     LeaningFlakes& operator=(const LeaningFlakes&) = delete;
     /// The same, which keeps `flat`.
@@ -111,7 +112,7 @@ class LeaningFlakes final : public BoundBsdf {
     BinderIndex binder_index() const override { return index_; }
 
  private:
-    /// Cosine outside of the flattest direction with which a flat paint is asked.
+    /// Least cosine outside of a direction for which the flat paint is evaluated.
     static constexpr float kMinFlatCosine = 1e-3f;
 
     /// A direction above the horizon.
@@ -124,89 +125,92 @@ class LeaningFlakes final : public BoundBsdf {
     };
     /// None where the direction is not above the horizon.
     std::optional<Ray> ray_of(Vec3f w) const;
-    /// A direction by one or two of the flat paint's, weighted, in the frame that leans twice as much.
+    /// A direction as a weighted sum of one or two of the flat paint's, in the frame of twice the lean.
     struct GroundRays {
         int count = 0;
         std::array<Vec3f, 2> w;
         std::array<FloatLanes, 2> factor;
     };
-    /// With what values need of the direction, whatever the other.
-    struct Seen : Ray {
-        Vec3f twice;             ///< as `flat`, in the frame that leans twice as much
-        FloatLanes transmitted;  ///< by the interface
-        /// Of flakes and pigments, over the cosine to the layers and over that to the flakes.
-        FloatLanes depth, asked;
-        /// By which light that was scattered again differs from the flat paint's at `flat` and `twice`.
-        FloatLanes again, again_twice;
-        std::optional<GroundRays> ground;  ///< where it is kept
+    /// With what values need of this direction alone.
+    struct Path : Ray {
+        Vec3f double_lean;         ///< as `flat`, in the frame of twice the lean
+        FloatLanes transmittance;  ///< T of the interface
+        /// Optical depth of flakes and pigments along the path: by 1/mu and, of the flat paint, by 1/c'.
+        FloatLanes depth, flat_depth;
+        /// Interface and coat over those of the flat paint at `flat` and at `double_lean`.
+        FloatLanes multiple_factor, returned_factor;
+        std::optional<GroundRays> ground;  ///< of the fixed direction
     };
-    Seen see(const Ray& ray) const;
-    /// Of a direction above the horizon, what is kept or else what is put into `room`; or null.
-    const Seen* see(Vec3f w, std::optional<Seen>& room) const;
-    Vec3f flat_of(const Lean& lean, Vec3f inside) const;
+    Path path_of(const Ray& ray) const;
+    /// The path of the fixed direction, or one written to `storage`; null below the horizon.
+    const Path* path_of(Vec3f w, std::optional<Path>& storage) const;
+    Vec3f outside_flat_coat(const Lean& lean, Vec3f inside) const;
     FloatLanes transmittance(float cosine_outside) const;
 
     // Light from the ground: leaning_ground.cpp.
 
-    /// Of light that crosses flakes and coat and leaves: factor e^exponent.
+    /// Transmittance of flakes, coat and interface: factor e^exponent.
     struct Passage {
         FloatLanes exponent, factor;
     };
     static Passage passage(const FloatLanes& s, const FloatLanes& r, const FloatLanes& kappa,
-                           const FloatLanes& transmitted);
+                           const FloatLanes& transmittance);
     /// Through the flat paint, by its cosines inside and outside.
     Passage flat_passage(float inside, float outside) const;
-    /// The direction from which the ground is seen, away from this azimuth.
-    static Vec3f far_from(Vec2f azimuth);
+    /// The direction, at the opposite azimuth, for which B is computed.
+    static Vec3f direction_away_from(Vec2f azimuth);
     bool over_ground() const { return lane_max(ground_) > 0; }
-    GroundRays ground_rays(const Seen& seen) const;
-    FloatLanes from_ground(const Seen& i, const Seen& o, const FloatLanes& twice) const;
+    GroundRays ground_rays(const Path& path) const;
+    FloatLanes from_ground(const Path& i, const Path& o, const FloatLanes& flat_from_ground) const;
 
-    /// A pair of directions outside the flat paint that stands for one beyond its critical angle, and by
-    /// what light that was scattered again and that met one flake differ from it. No flakes are so steep
-    /// that they would mirror along the critical angle or beyond: `once` is zero there.
-    struct Nearest {
+    /// Directions outside the flat paint in place of a pair beyond its critical angle, with the factors of
+    /// multiple and of single scattering. No flakes are so steep that they reflect along the critical angle
+    /// or beyond: single_factor is 0 there.
+    struct SubstitutePair {
         Vec3f wi, wo;
-        FloatLanes again{}, once{};
+        FloatLanes multiple_factor{}, single_factor{};
     };
-    Nearest nearest(const Seen& i, const Seen& o) const;
-    /// Whether the flat paint has no such pair.
+    SubstitutePair substitute_pair(const Path& i, const Path& o) const;
+    /// Whether the flat paint has no such pair of directions.
     static bool beyond_critical(const Ray& i, const Ray& o) {
         return i.jacobian == 0 || o.jacobian == 0;
     }
-    /// Of layers of flakes, c'_i c'_o / (mu_i mu_o) E() / E() as above.
-    FloatLanes seen_once(const Seen& i, const Seen& o) const;
-    /// By which what met one flake differs.
-    FloatLanes once_factor(const Seen& i, const Seen& o) const {
-        return i.again * o.again * seen_once(i, o);
+    /// c'_i c'_o / (mu_i mu_o) E() / E() of single scattering, as above.
+    FloatLanes attenuation_ratio(const Path& i, const Path& o) const;
+    /// Single scattering over the flat paint's.
+    FloatLanes single_factor(const Path& i, const Path& o) const {
+        return i.multiple_factor * o.multiple_factor * attenuation_ratio(i, o);
     }
 
-    /// @param asked   evaluate(wi, wo) of the flat paint
-    /// @param beyond  f(wi, wo) of the flat paint, for the nearest pair
+    /// @param evaluate_flat    evaluate(wi, wo) of the flat paint
+    /// @param eval_substitute  f(wi, wo) of the flat paint for a substitute pair
     template <class Evaluate, class F>
-    BsdfValue evaluate_by(Vec3f wi, Vec3f wo, const Evaluate& asked, const F& beyond) const;
+    BsdfValue evaluate_by(Vec3f wi, Vec3f wo, const Evaluate& evaluate_flat,
+                          const F& eval_substitute) const;
     template <class Sample, class Evaluate, class F>
-    std::optional<BsdfSample> sample_by(Vec3f wi, float u_select, Vec2f u, const Sample& sample,
-                                        const Evaluate& asked, const F& beyond) const;
+    std::optional<BsdfSample> sample_by(Vec3f wi, float u_select, Vec2f u,
+                                        const Sample& sample_flat, const Evaluate& evaluate_flat,
+                                        const F& eval_substitute) const;
     /// @param f  of the flat paint at Ray::flat, within the critical angle
     template <class F>
-    FloatLanes value(const Seen& i, const Seen& o, const FloatLanes& f, const F& beyond) const;
-    /// Whether a nearest pair shows the mean of its flakes on a patch.
-    static bool is_mean_beyond(const Patch& patch);
-    FloatLanes beyond_on(const Patch& patch, Vec3f wi, Vec3f wo) const;
+    FloatLanes value(const Path& i, const Path& o, const FloatLanes& f,
+                     const F& eval_substitute) const;
+    /// Whether a substitute pair has the mean of its flakes on a patch, not their sparkle.
+    static bool is_substitute_mean(const Patch& patch);
+    FloatLanes eval_substitute_on(const Patch& patch, Vec3f wi, Vec3f wo) const;
     /// Per solid angle here, of samples that the flat paint draws with the density `flat`.
     static float mixed_pdf(float flat, const Ray& o);
 
     std::unique_ptr<const BoundBsdf> owned_;
     const BoundBsdf& flat_;
-    Lean lean_, twice_;
+    Lean lean_, double_lean_;
     BinderIndex index_;
     FloatLanes coat_depth_;
     bool coat_absorbs_;
-    float least_cosine_;  ///< inside, at which the flat paint's light just leaves
-    FloatLanes ground_;   ///< the flat paint's light from the ground along its normal; 0 over black
+    float critical_cosine_;  ///< inside, of the critical angle
+    FloatLanes ground_;  ///< the flat paint's light from the ground along its normal; 0 over black
     Passage along_normal_{{}, splat(1.0f)};  ///< there, if not over black
-    std::optional<Seen> seen_from_;
+    std::optional<Path> kept_path_;
 };
 
 /// A surface as its values are told: flakes that lean do so along x and y of the frame.

@@ -185,7 +185,7 @@ class Asked : public BoundBsdf {
     FloatLanes albedo(Vec3f) const override { return splat(1.0f); }
     BinderIndex binder_index() const override { return {kIndex, splat(kIndex)}; }
     FloatLanes coat_depth() const override { return splat(kDepth); }
-    FlakeDepths flake_depths(float cosine) const override {
+    OpticalDepths optical_depths(float cosine) const override {
         return {splat(kFlakes * cosine), FloatLanes{}, splat(kPigments), FloatLanes{}};
     }
 

@@ -48,7 +48,9 @@ class VariedCoat final : public BoundBsdf {
     /// What the interface returns of the ground's light on its way, through the coat once more, is left to
     /// the rest.
     MultiplyScattered multiply_scattered(Vec3f wi, Vec3f wo) const override;
-    FlakeDepths flake_depths(float cosine) const override { return mean_.flake_depths(cosine); }
+    OpticalDepths optical_depths(float cosine) const override {
+        return mean_.optical_depths(cosine);
+    }
     /// Of the mean thickness.
     FloatLanes albedo(Vec3f wi) const override { return mean_.albedo(wi); }
 

@@ -152,7 +152,7 @@ class BoundMicroflake : public BoundBsdf {
     BinderIndex binder_index() const override { return {mean_ior_, ior_}; }
     FloatLanes coat_depth() const override { return clearcoat_depth_; }
     MultiplyScattered multiply_scattered(Vec3f wi, Vec3f wo) const override;
-    FlakeDepths flake_depths(float cosine) const override;
+    OpticalDepths optical_depths(float cosine) const override;
     CoatChange coat_change(Vec3f wi, Vec3f wo, float deviation) const override;
     FloatLanes coat_factor(Vec3f wi, Vec3f wo, float deviation) const override;
     const InterfaceLobe* interface_lobe() const override {

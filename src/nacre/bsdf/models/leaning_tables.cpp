@@ -31,18 +31,18 @@ LeaningTables::LeaningTables(const solver::SolvedPaint& paint, SharedProgress& w
 void LeaningTables::tabulate_depths(const solver::PaintMedium& medium) {
     const int count = medium.wavelength_count(), blocks = paint::block_count(count);
     const auto size = static_cast<std::size_t>(kCosineIntervals + 1) * count;
-    flakes.assign(size, 0);
-    mirrored.assign(size, 0);
-    pigments.assign(count, 0);
-    swallowed.assign(count, 0);
+    flake_extinction.assign(size, 0);
+    flake_scattering.assign(size, 0);
+    pigment_extinction.assign(count, 0);
+    pigment_absorption.assign(count, 0);
     for (const solver::LayerMedium& layer : medium.layers) {
         const auto thickness_um = static_cast<float>(layer.thickness_um);
         for (const solver::PigmentMedium& pigment : layer.pigments) {
             for (int w = 0; w < count; ++w) {
                 const auto absorbed = static_cast<float>(pigment.absorption_per_um[w]);
                 const auto scattered = static_cast<float>(pigment.scattering_per_um[w]);
-                pigments[w] += thickness_um * (scattered + absorbed);
-                swallowed[w] += thickness_um * absorbed;
+                pigment_extinction[w] += thickness_um * (scattered + absorbed);
+                pigment_absorption[w] += thickness_um * absorbed;
             }
         }
         const solver::LayerMedium alone{layer.thickness_um, layer.flakes, {}};
@@ -52,8 +52,8 @@ void LeaningTables::tabulate_depths(const solver::PaintMedium& medium) {
             for (int w = 0; w < count; ++w) {
                 const double met = losses.extinction[w / kLanes][w % kLanes];
                 const double absorbed = losses.absorption[w / kLanes][w % kLanes];
-                flakes[k * count + w] += thickness_um * static_cast<float>(met);
-                mirrored[k * count + w] +=
+                flake_extinction[k * count + w] += thickness_um * static_cast<float>(met);
+                flake_scattering[k * count + w] +=
                     thickness_um * static_cast<float>(std::max(met - absorbed, 0.0));
             }
         });
@@ -72,20 +72,21 @@ BoundLeaningTables::BoundLeaningTables(const LeaningTables& tables,
         return at_wavelengths(where, [&](int w) { return table[row * count + w]; });
     };
     for (int k = 0; k <= LeaningTables::kCosineIntervals; ++k) {
-        flakes_.push_back(bound(tables.flakes, k));
-        mirrored_.push_back(bound(tables.mirrored, k));
+        flake_extinction_.push_back(bound(tables.flake_extinction, k));
+        flake_scattering_.push_back(bound(tables.flake_scattering, k));
     }
-    pigments_ = bound(tables.pigments, 0);
-    swallowed_ = bound(tables.swallowed, 0);
+    pigment_extinction_ = bound(tables.pigment_extinction, 0);
+    pigment_absorption_ = bound(tables.pigment_absorption, 0);
 }
 
-FlakeDepths BoundLeaningTables::depths(float cosine) const {
+OpticalDepths BoundLeaningTables::depths(float cosine) const {
     const float at = cosine * LeaningTables::kCosineIntervals;
     const int row = std::clamp(static_cast<int>(at), 0, LeaningTables::kCosineIntervals - 1);
     const auto look_up = [&](const std::vector<FloatLanes>& table) {
         return table[row] + (at - row) * (table[row + 1] - table[row]);
     };
-    return {look_up(flakes_), look_up(mirrored_), pigments_, swallowed_};
+    return {look_up(flake_extinction_), look_up(flake_scattering_), pigment_extinction_,
+            pigment_absorption_};
 }
 
 }  // namespace nacre::bsdf

@@ -28,9 +28,9 @@ struct LeaningTables {
     /// Without the ground: what left the coat when it first met the interface from inside.
     Part no_internal_reflection;
 
-    /// FlakeDepths of even cosines from 0 to 1: [cosine][wavelength], and by wavelength.
+    /// OpticalDepths of even cosines from 0 to 1: [cosine][wavelength], and by wavelength.
     static constexpr int kCosineIntervals = 64;
-    std::vector<float> flakes, mirrored, pigments, swallowed;
+    std::vector<float> flake_extinction, flake_scattering, pigment_extinction, pigment_absorption;
 
  private:
     void tabulate_depths(const solver::PaintMedium& medium);
@@ -42,14 +42,14 @@ class BoundLeaningTables {
     BoundLeaningTables(const LeaningTables& tables,
                        const std::array<WavelengthPosition, kLanes>& where);
 
-    FlakeDepths depths(float cosine) const;
+    OpticalDepths depths(float cosine) const;
 
     BoundSmoothTable over_black;  ///< none where the ground reflects nothing
     BoundSmoothTable no_internal_reflection;
 
  private:
-    std::vector<FloatLanes> flakes_, mirrored_;  // by cosine
-    FloatLanes pigments_, swallowed_;
+    std::vector<FloatLanes> flake_extinction_, flake_scattering_;  // by cosine
+    FloatLanes pigment_extinction_, pigment_absorption_;
 };
 
 }  // namespace nacre::bsdf

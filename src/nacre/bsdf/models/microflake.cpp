@@ -329,8 +329,8 @@ MultiplyScattered BoundMicroflake::multiply_scattered(Vec3f wi, Vec3f wo) const 
     return multiple_value(make_ray(wi), make_ray(wo), MeanFlakes{});
 }
 
-FlakeDepths BoundMicroflake::flake_depths(float cosine) const {
-    return leaning_ ? leaning_->depths(cosine) : FlakeDepths{};
+OpticalDepths BoundMicroflake::optical_depths(float cosine) const {
+    return leaning_ ? leaning_->depths(cosine) : OpticalDepths{};
 }
 
 float BoundMicroflake::pdf(Vec3f wi, Vec3f wo) const {

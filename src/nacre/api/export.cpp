@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
+#include "nacre/api/state.h"
 #include "nacre/bsdf/measured/merl.h"
 #include "nacre/bsdf/measured/rgl.h"
 #include "nacre/bsdf/models/nacre_arrays.h"
 #include "nacre/core/file.h"
-#include "nacre/door/state.h"
 #include "nacre/exchange/cycles_material.h"
 #include "nacre/exchange/gltf_file.h"
 #include "nacre/exchange/gltf_material.h"

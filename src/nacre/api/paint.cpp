@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nacre/api/state.h"
 #include "nacre/bsdf/measured/merl.h"
 #include "nacre/bsdf/measured/rgl.h"
 #include "nacre/bsdf/tabulated/tabulated.h"
 #include "nacre/core/file.h"
 #include "nacre/core/sha256.h"
 #include "nacre/core/text.h"
-#include "nacre/door/state.h"
 #include "nacre/io/brdf_table_file.h"
 #include "nacre/io/file_kind.h"
 #include "nacre/io/measured_brdf_file.h"

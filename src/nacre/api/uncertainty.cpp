@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "nacre/door/state.h"
+#include "nacre/api/state.h"
 #include "nacre/models/models.h"
 #include "nacre/spectra/spectrum.h"
 

@@ -4,10 +4,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "nacre/api/state.h"
 #include "nacre/core/file.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
-#include "nacre/door/state.h"
 #include "nacre/fit/fit.h"
 #include "nacre/fit/free_keys.h"
 #include "nacre/fit/remedy.h"

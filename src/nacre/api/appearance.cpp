@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 #include <tbb/task_arena.h>
 
+#include "nacre/api/state.h"
 #include "nacre/core/file.h"
-#include "nacre/door/state.h"
 #include "nacre/models/models.h"
 #include "nacre/models/spectral_brdf.h"
 #include "nacre/solver/solver.h"

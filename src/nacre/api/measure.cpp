@@ -5,9 +5,9 @@
 #include <map>
 #include <numbers>
 
+#include "nacre/api/state.h"
 #include "nacre/core/file.h"
 #include "nacre/core/text.h"
-#include "nacre/door/state.h"
 #include "nacre/io/geometry_file.h"
 #include "nacre/io/measurement_file.h"
 #include "nacre/montecarlo/reference.h"

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "nacre/door/state.h"
+#include "nacre/api/state.h"
 
 namespace nacre {
 
