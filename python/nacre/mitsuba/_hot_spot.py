@@ -21,7 +21,7 @@ MAX_GAIN = 40
 
 
 def overlap_integral(x: Float) -> Float:
-    """Int_0^x O(t) dt, O the overlap of two discs; 4 / (3 pi) from x = 1 on."""
+    """Int_0^x O(xi) dxi, O the overlap of two discs; 4 / (3 pi) from x = 1 on."""
     x = dr.minimum(x, 1)
     chord2 = 1 - x * x
     chord = dr.sqrt(dr.maximum(chord2, 0))
@@ -52,7 +52,7 @@ class HotSpot(MeanFlakes):
         self.weights = (weights * s).tolist()  # half the interval's weight, times 2 s
 
     def spread(self, pair: Pair) -> Float:
-        """How far apart both rays are after a step in height."""
+        """delta: how far apart both rays are after a step in height, over the step."""
         i, o = pair.i.inside, pair.o.inside
         x, y = i.x / i.z - o.x / o.z, i.y / i.z - o.y / o.z
         square, coat = x * x + y * y, self.smooth.coat
@@ -67,7 +67,7 @@ class HotSpot(MeanFlakes):
         ]
 
     def gain(self, pair: Pair, layer: int, u: Float, spread: Float, couplings: list[Wide]) -> Wide:
-        """ln of the attenuation over exp(-kappa z), at a fraction of the layer's thickness."""
+        """ln V + kappa z, at the fraction u = z / H of the layer's thickness."""
         total: Wide = self.smooth.bands.constant(0)
         for (own, diameter), coupling in zip(self.species, couplings, strict=True):
             if own > layer:
@@ -82,7 +82,7 @@ class HotSpot(MeanFlakes):
         return total
 
     def mean(self, pair: Pair, layer: int, depth: Wide) -> Wide:
-        """Of the attenuation, over that of exp(-kappa z), for a layer of this optical depth."""
+        """Of V, over that of exp(-kappa z), for a layer of this optical depth."""
         spread, couplings = self.spread(pair), self.couplings(pair)
         # What comes from below 24 optical depths is 6e-6 of the whole.
         reach = dr.minimum(1, 24 / dr.maximum(dr.min(depth), 1e-20))

@@ -330,8 +330,8 @@ constexpr Case kCases[] = {{"ball-1e8-32", "sphere", "ball, soft boxes", kBallMm
                            {"ball-1e9-4", "sphere", "ball, soft boxes", kBallMm2, 1e9, 4},
                            {"panel-1e8-4", "panel-sun", "panel, sun and sky", 150 * 100, 1e8, 4},
                            {"panel-1e8-32", "panel-sun", "panel, sun and sky", 150 * 100, 1e8, 32}};
-// In slopes inside the coat, the lobe of a flake has the effective area  1 / Int (e K)^2 = 5/9 pi u^2,
-// u = 1.26 lambda' / (2 d)  (docs/nacre-model.md); in the cone of gamma = 3 deg those facets
+// In slopes inside the coat, the lobe of a flake has the effective area  1 / Int (e K)^2 = 5/9 pi (r/e)^2,
+// r/e = 1.26 lambda' / (2 d)  (docs/nacre-model.md); in the cone of gamma = 3 deg those facets
 // reflect whose normals lie within gamma / 2. At this mean diameter, and 550 nm, the two are equal:
 // as many flakes reflect as facets, and the pictures sparkle alike.
 constexpr double kLikeTheCone_um = 6.6;

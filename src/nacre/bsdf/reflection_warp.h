@@ -12,7 +12,7 @@ namespace nacre::bsdf {
 /// reflects, from a table of it: one map of the unit square to directions, without samples lost to
 /// total reflection.
 ///
-/// The square's first side is the slope r of the half vector inside, as r / (r + alpha) over its
+/// The square's first side is the slope t of the half vector inside, as t / (t + alpha) over its
 /// largest value, the other its azimuth from the plane of incidence, both halves alike. So lobes of
 /// flakes lie across many cells whatever their roughness. Between the nodes the density is
 /// bilinear, and between incident directions linear: it is exact for what sample() draws.
@@ -47,7 +47,7 @@ class ReflectionWarp {
     Vec2f direction_of(const Incident& i) const;
     float radius(float u) const { return alpha_ * u / (1 - u); }
 
-    float ior_, alpha_, end_;  // end_: r / (r + alpha) of the largest slope
+    float ior_, alpha_, end_;  // end_: t / (t + alpha) of the largest slope
     std::vector<float> albedo_;
     SquareWarp warp_;
 };

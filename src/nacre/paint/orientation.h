@@ -21,12 +21,12 @@ struct SlopeComponent {
 };
 
 /// GGX as a mixture, derived here: its density of slopes [walter-2007, eq. 33 times cos^4] is the mean of
-/// Beckmann's over 1/a^2 = tau / alpha^2, tau with the law exp(-tau),
+/// Beckmann's over 1/a^2 = u / alpha^2, u with the law exp(-u),
 ///
-///     Int_0^inf exp(-tau) tau / (pi alpha^2) exp(-tau s^2/alpha^2) dtau
-///         = 1 / (pi alpha^2) (1 + s^2/alpha^2)^-2,
+///     Int_0^inf exp(-u) u / (pi alpha^2) exp(-u t^2/alpha^2) du
+///         = 1 / (pi alpha^2) (1 + t^2/alpha^2)^-2,
 ///
-/// taken by the trapezoidal rule in ln tau. As (1 + s^2/alpha^2) only shifts ln tau, its relative
+/// taken by the trapezoidal rule in ln u. As (1 + t^2/alpha^2) only shifts ln u, its relative
 /// error is the same at all slopes, 2 |Gamma(2 + 2 pi i / step)|, here 0.9 %. Flakes with a > 1, a
 /// fraction 1 - exp(-alpha^2), get a = 1: the tail ends near a slope of 1.
 std::vector<SlopeComponent> ggx_mixture(double alpha);

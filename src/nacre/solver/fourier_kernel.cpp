@@ -34,7 +34,7 @@ struct PairScratch {
     }
 };
 
-// kappa_l of flakes for the travel cosines mu_i and sign * mu_j, given to out(block, l). Nodes follow
+// p_l of flakes for the travel cosines mu_i and sign * mu_j, given to out(block, l). Nodes follow
 // `all_orders` that the pair has, so that an order does not depend on what is asked with it.
 template <class Out>
 void transform_pair(const FlakeMedium& flake, double mu_i, double s_i, double mu_j, double s_j,
@@ -42,7 +42,7 @@ void transform_pair(const FlakeMedium& flake, double mu_i, double s_i, double mu
                     PairScratch& scratch, Out&& out) {
     if (orders.begin >= orders.end) return;
     const double delta = opposite ? mu_i + mu_j : std::abs(mu_i - mu_j);
-    if (delta == 0.0) return;  // kappa_l -> 0 with |delta|
+    if (delta == 0.0) return;  // p_l -> 0 with |delta|
     const double across = (opposite ? mu_i - mu_j : mu_i + mu_j) / (s_i + s_j);
     const double a2 = flake.alpha * flake.alpha;
     if (across * across > kNegligible * 1.5 * a2) return;

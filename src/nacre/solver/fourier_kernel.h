@@ -11,7 +11,7 @@
 
 // The scattering kernel sigma_s p in azimuthal Fourier orders at pairs of quadrature nodes.
 //
-//     K(mu_i, mu_j, phi) = sum_l (2 - delta_l0) kappa_l(mu_i, mu_j) cos l phi,
+//     sigma_s p(mu_i, mu_j, phi) = sum_l (2 - delta_l0) p_l(mu_i, mu_j) cos l phi,
 //
 // phi between directions of travel. Even in phi, symmetric in i and j. "Same" keeps the hemisphere
 // of travel, "opposite" changes it.
@@ -45,7 +45,7 @@ struct OrderRange {
     int begin = 0, end = std::numeric_limits<int>::max();
 };
 
-/// kappa_l of one layer by block of eight wavelengths, in 1/(um sr). Single precision: the
+/// p_l of one layer by block of eight wavelengths, in 1/(um sr). Single precision: the
 /// solver takes extinction from the sums of these very numbers, so that rounding costs no energy.
 class FourierKernel {
  public:

@@ -39,7 +39,7 @@ LayerMedium particle_layer() {
     return {10, {}, {{{0.03}, {0.01}, 0, optics::PhaseFunction({kSeries})}}};
 }
 
-// K between directions of travel, from vectors: flakes and pigments.
+// sigma_s p between directions of travel, from vectors: flakes and pigments.
 double kernel(const LayerMedium& layer, double mu_i, double mu_j, double phi) {
     const double s_i = std::sqrt(1 - mu_i * mu_i), s_j = std::sqrt(1 - mu_j * mu_j);
     const double x = 1 - mu_i * mu_j - s_i * s_j * std::cos(phi);  // 1 - w.w'
@@ -66,7 +66,7 @@ double kernel(const LayerMedium& layer, double mu_i, double mu_j, double phi) {
     return sum;
 }
 
-// kappa_l = 1/(2 pi) Int_0^2pi K cos l phi dphi; the midpoint rule converges geometrically.
+// p_l = 1/(2 pi) Int_0^2pi sigma_s p cos l phi dphi; the midpoint rule converges geometrically.
 class BruteForce {
  public:
     BruteForce(const LayerMedium& layer, double mu_i, double mu_j) {

@@ -64,7 +64,7 @@ double vector_kernel(double alpha, double c, double reflectance, const Vec3d& in
 }
 
 TEST(PaintMedium, ScatteringIntegratesToTheCrossSection) {
-    // Int K dw' over the whole sphere = sigma_t - sigma_a, for flakes with R = 0.6, T = 0.1.
+    // Int sigma_s p dw' over the whole sphere = sigma_t - sigma_a, for flakes with R = 0.6, T = 0.1.
     const double alpha = 0.4;
     const PaintMedium m = make_medium(test::flake_paint(alpha, 0.6, 0.1, 1, 1.5), kOneWavelength);
     const Quadrature cube_root = gauss_legendre(200, 0, 1);

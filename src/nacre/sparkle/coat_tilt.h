@@ -12,15 +12,15 @@ namespace nacre::sparkle {
 ///
 /// Light from the direction w outside is refracted by a facet of normal m into
 ///
-///     w' = w / n + (cos t' - cos t / n) m
+///     w' = w / n + (cos theta' - cos theta / n) m
 ///
-/// inside, t and t' the angles to m: Snell's law for vectors. To first order in the facet's slope s
-/// the part of w' along the surface changes by k s, k = cos t' - cos t / n at the mean surface, on
-/// the way in as on the way out, which meet facets of their own. The slope of the half vector,
+/// inside, theta and theta' the angles to m: Snell's law for vectors. To first order in the facet's slope
+/// t the part of w' along the surface changes by b t, b = cos theta' - cos theta / n at the mean surface,
+/// on the way in as on the way out, which meet facets of their own. The slope of the half vector,
 /// (w_i' + w_o')_xy / (w_i' + w_o')_z, so gets a Gaussian distribution about that of a smooth coat,
-/// exp(-p^2 / a^2) / (pi a^2) with
+/// P_s(t) = exp(-t^2 / alpha_s^2) / (pi alpha_s^2) with
 ///
-///     a^2 = (k_i^2 + k_o^2) alpha_c^2 / (mu_i + mu_o)^2,
+///     alpha_s^2 = (b_i^2 + b_o^2) alpha_c^2 / (mu_i + mu_o)^2,
 ///
 /// ((n-1)/n)^2 alpha_c^2 / 2 near the normal. That facets which face the light are met more often,
 /// and slopes of the second order, are left out.
@@ -37,7 +37,7 @@ class CoatTilt {
           beyond_(static_cast<float>(1 - 1 / (ior * ior))) {}
 
     bool rough() const { return roughness2_ > 0; }
-    /// a^2; the cosines are those inside a smooth coat.
+    /// alpha_s^2; the cosines are those inside a smooth coat.
     float spread2(float mu_i, float mu_o) const {
         if (!rough()) return 0;
         const float k_i = k(mu_i), k_o = k(mu_o);
@@ -52,12 +52,12 @@ class CoatTilt {
         const FloatLanes sum = max_lanes(mu_i + mu_o, splat(kMinSum));
         return roughness2_ * (k_i * k_i + k_o * k_o) / (sum * sum);
     }
-    /// Mean distance between the tangents (x/z, y/z) of the way in and the way out inside, which
-    /// facets turn apart. To first order in the facets' slopes a tangent changes by k s / mu across
-    /// the plane of incidence and by k s / mu^3 in it. The mean of both is taken for the variance of
+    /// Mean distance delta_c between the tangents (x/z, y/z) of the way in and the way out inside, which
+    /// facets turn apart. To first order in the facets' slopes a tangent changes by b t / mu across
+    /// the plane of incidence and by b t / mu^3 in it. The mean of both is taken for the variance of
     /// a component, and the distance has a Rice distribution then, whose mean is here within 0.5 %;
     /// it is within 10 % of what facets do for alpha_c up to 0.3.          [rice-1945, sec. 3.10]
-    /// @param square  of the distance under a smooth coat
+    /// @param square  of the distance under a smooth coat, delta^2
     float separation(float square, float mu_i, float mu_o) const {
         if (!rough()) return std::sqrt(square);
         const auto of = [this](float mu) {
@@ -72,7 +72,7 @@ class CoatTilt {
     }
 
  private:
-    /// cos t' - cos t / n, from the cosine inside.
+    /// b = cos theta' - cos theta / n, from the cosine inside.
     float k(float mu) const { return mu - std::sqrt(std::max(0.0f, mu * mu - beyond_)); }
 
     /// Of directions that turn back at once; without a coat, where nothing is tilted.

@@ -43,8 +43,8 @@ float look_up(const Table& table, float square, float y) {
 
 // log(blur)/y^2 for K, nearly linear in x^2 and y: blur = 1 + (x^2 - 1) y^2/4 + ...
 //
-// The blur, the integral over the circle of K(s) P(p - s) / P(p), is with t = s^2/w^2
-//     Int_0^1 3 (1 - t)^2 exp(-t y^2) I_0(2 x y sqrt(t)) dt
+// The blur, (P * K) / P at the slope x alpha, is with u the square of the distance over r^2
+//     Int_0^1 3 (1 - u)^2 exp(-u y^2) I_0(2 x y sqrt(u)) du
 // and I_0(2 sqrt(z)) = Sum_k z^k / k!^2, whose terms are all positive.
 class LogBlurOverY2 {
  public:
@@ -77,11 +77,11 @@ const Table& log_blur_over_y2() {
     return table;
 }
 
-// 1/lobe_fraction, the blur by the Airy pattern over e times that by K, nearly linear in y; the
+// 1/e_h, the blur by the Airy pattern over e times that by K, nearly linear in y; the
 // rings alone grow with e^(x^2).
 //
 // The former by Hankel transforms: that of the pattern is the overlap of two discs,
-// 2/pi (acos s - s sqrt(1 - s^2)) at the frequency s d/lambda', that of P a Gaussian.
+// O(s) = 2/pi (acos s - s sqrt(1 - s^2)) at the frequency s d/lambda', that of P a Gaussian.
 //                                                          [born-wolf-1999, sections 8.5.2 and 9.5]
 class InverseLobeFraction {
  public:

@@ -18,37 +18,37 @@ namespace nacre::sparkle {
 /// x = pi d |q| / lambda', where q is the part of w_i + w_o parallel to the disc and lambda' the
 /// wavelength in the binder [born-wolf-1999, section 8.5.2]. As w_i + w_o = 2 (w_i.h) h, that is a
 /// lobe of the half vector h about the normal m, isotropic, of an angle
-/// proportional to 1 / (d w_i.h): it depends on h alone and is reciprocal. Here the pattern A is
+/// proportional to 1 / (d w_i.h): it depends on h alone and is reciprocal. Here the pattern K_A is
 /// replaced by a lobe that holds e = kLobePower of the light,
 ///
-///     K(p) = 3 / (pi w^2) (1 - |p - p_m|^2 / w^2)^2     for |p - p_m| < w,
+///     K(t_h - t_j) = 3 / (pi r^2) (1 - |t_h - t_j|^2 / r^2)^2     for |t_h - t_j| < r,
 ///
-/// over slopes p = (h_x, h_y) / h_z, and rings so wide that those of many flakes add up to an even
-/// background. With the radius for which the integral of (e K)^2 is that of A^2, the contrast of
-/// the light that many flakes reflect of a small lamp is the same; e makes that of wide lamps right
+/// over slopes t_h = (h_x, h_y) / h_z, t_j that of the flake, and rings so wide that those of many flakes
+/// add up to an even background. With the radius r for which the integral of (e K)^2 is that of K_A^2, the
+/// contrast of the light that many flakes reflect of a small lamp is the same; e makes that of wide lamps right
 /// within kContrastError. The radius is that of 550 nm at all wavelengths; the true one goes with
 /// the wavelength, 0.73 times it at 400 nm and 1.27 times at 700 nm.
 ///
 /// So that the mean over flakes whose slopes are Gaussian is exactly the distribution of slopes P,
-/// and not P blurred by the pattern, the flakes of slope p_m count as lobe_fraction() times K / (P convolved
-/// with K), and the background as the rest to 1.
+/// and not P blurred by the pattern, the flakes of slope t_j count as e_h, lobe_fraction(), times
+/// K / (P convolved with K), and the background as the rest to 1.
 ///
-/// A rough clearcoat convolves lobes with the Gaussian of CoatTilt. The square of that Gaussian has
-/// the integral of the square of a K of radius sqrt(18/5) a; radii add in squares.
+/// A rough clearcoat convolves lobes with the Gaussian P_s of CoatTilt. The square of that Gaussian has
+/// the integral of the square of a K of radius sqrt(18/5) alpha_s; radii add in squares.
 ///
-/// So does the waviness of the flakes' own surfaces, whose slopes about the flake's plane have the
-/// law exp(-p^2 / v^2) / (pi v^2): geometrical optics, each piece of a flake a mirror of its own. The
-/// mean over all flakes is then the law of the surfaces' slopes, of alpha^2 + v^2.
+/// So does the waviness alpha_w of the flakes' own surfaces, whose slopes about the flake's plane have the
+/// law exp(-t^2 / alpha_w^2) / (pi alpha_w^2): geometrical optics, each piece of a flake a mirror of its
+/// own. The mean over all flakes is then the law of the surfaces' slopes, of alpha^2 + alpha_w^2.
 class DiffractionLobe {
  public:
     /// @param alpha           Beckmann roughness of the flakes
     /// @param ior             of the binder
     /// @param coat_roughness  that of the clearcoat
-    /// @param waviness        alpha of the slopes of a flake's surface about its plane
+    /// @param waviness        alpha_w of the slopes of a flake's surface about its plane
     /// @throws DomainError naming the argument, its value and its range
     DiffractionLobe(double alpha, double ior, double coat_roughness = 0, double waviness = 0);
 
-    /// The radius in slopes at perpendicular incidence on a flake of this diameter.
+    /// The radius r in slopes at perpendicular incidence on a flake of this diameter.
     template <class V>
     V radius(V diameter_um) const {
         return radius_um_ / diameter_um;
@@ -61,8 +61,8 @@ class DiffractionLobe {
         const float sec = std::sqrt(sec2);
         return sec * std::sqrt(sec) / std::max(cosine, kMinCosine);
     }
-    /// That by the coat and by the flakes' own waviness.
-    /// @param of_coat  spread2 of coat()
+    /// alpha_s^2, by the coat and by the flakes' own waviness.
+    /// @param of_coat  spread2() of coat()
     template <class V>
     V spread2(V of_coat) const {
         return of_coat + waviness2_;
@@ -86,7 +86,7 @@ class DiffractionLobe {
     /// 4 alpha: beyond it P is negligible, and a wider lobe would change nothing.
     float max_radius() const { return max_radius_; }
 
-    /// K(p) per unit area of slopes, distance2 = |p - p_m|^2 < width^2.
+    /// K per unit area of slopes, distance2 = |t_h - t_j|^2 < width^2.
     static float density(float distance2, float width) {
         const float inverse = 1 / (width * width), t = 1 - distance2 * inverse;
         return 3 * std::numbers::inv_pi_v<float> * inverse * t * t;
@@ -109,14 +109,14 @@ class DiffractionLobe {
     static constexpr double kContrastError = 0.05;
 
     /// Fraction of the mean light with a half vector that comes from flakes in whose lobes it lies;
-    /// the rest comes from the rings of all others: min(1, e P * K / (P * A)). On the flank of P
+    /// the rest comes from the rings of all others: e_h = min(1, e P * K / (P * K_A)). On the flank of P
     /// there are few such flakes, and at its peak many.
     /// @param exponent  as of blur(): (slope / alpha)^2, at most kMaxExponent
     /// @param width_over_alpha  of K
     /// @param power  e, in general of power_of()
     static float lobe_fraction(float exponent, float width_over_alpha, float power = kLobePower);
     /// e under a rough coat. Where its spread is wide against the pattern, the rings stay within it,
-    /// but for 0.2 w / a of the light: then Int (e K)^2 is that of the pattern so spread.
+    /// but for 0.2 r / alpha_s of the light: then Int (e K)^2 is that of the pattern so spread.
     /// @param relative_spread2  spread2 over the square of the radius that diffraction gives
     static float power_of(float relative_spread2) {
         return relative_spread2 > 0 ? std::max(kLobePower, 1 - 0.2f / std::sqrt(relative_spread2))

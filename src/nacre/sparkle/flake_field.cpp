@@ -62,7 +62,7 @@ double FlakeField::exact_side_mm() const {
 float FlakeField::lobe_area(float cosine) const {
     const float radius = typical_radius_ * alpha_ * lobe_.widening(1, cosine);
     const float coat = lobe_.spread_radius2(lobe_.spread2(lobe_.coat().spread2(cosine, cosine)));
-    return 5 * std::numbers::pi_v<float> / 9 * (radius * radius + coat);  // Int K^2 = 9/(5 pi w^2)
+    return 5 * std::numbers::pi_v<float> / 9 * (radius * radius + coat);  // Int K^2 = 9/(5 pi r^2)
 }
 
 FlakeField::Constants FlakeField::constants() const {
@@ -136,10 +136,10 @@ FlakeField::Weights FlakeField::level_weights(const float* side_mm,
     const FloatLanes w = t * t;
     const float first = lane_sum(w * fraction_), second = lane_sum(w * w * fraction_);
     if (second == 0) return weights;
-    // Scaled up to the mean of all flakes, those resolved have deviation_ratio^2 times their
-    // variance. Lobes wider by deviation_ratio undo that, but a lobe must stay narrower than the
+    // Scaled up to the mean of all flakes, those resolved have N = deviation_ratio^2 times their
+    // variance. Lobes wider by B, nearly deviation_ratio, undo that, but a lobe must stay narrower than the
     // distribution of slopes: the remaining excess is removed by background. There is always some
-    // background, for resolved_factor().                               [docs/nacre-model.md: k]
+    // background, for resolved_factor().                               [docs/nacre-model.md: N, B]
     constexpr float kMaxResolved = 0.95f;
     const float deviation_ratio = std::sqrt(second) / first;
     const float area = stand_ins.light_area;

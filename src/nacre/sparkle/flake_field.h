@@ -14,13 +14,13 @@ namespace nacre::sparkle {
 
 /// Flakes of one kind in one layer of a paint, as statistics.
 struct FlakePopulation {
-    double density_per_mm2 = 0;     ///< flakes per area of the surface: rho H = c H / mean area
+    double density_per_mm2 = 0;     ///< nu, flakes per area of the surface: c H / mean area
     double diameter_um = 20;        ///< mean
     double diameter_spread_um = 0;  ///< standard deviation (paint/flake_sizes.h)
     double alpha = 0.1;             ///< Beckmann roughness: slopes of variance alpha^2 / 2
     double ior = 1.5;               ///< of the binder, for diffraction
     double coat_roughness = 0;      ///< Beckmann alpha of the clearcoat
-    double waviness = 0;            ///< alpha of the slopes of a flake's surface about its plane
+    double waviness = 0;            ///< alpha_w of the slopes of a flake's surface about its plane
     std::optional<paint::FlakeSizes> sizes = {};  ///< in place of both; diameter_um is typical then
 };
 
@@ -94,7 +94,7 @@ class FlakeField {
         static constexpr std::array<float, 2> kFinestCells{40, 12};
         std::array<double, kLevels> cell_mm;              ///< side of the cells, by level
         std::array<std::uint64_t, kLevels> key;           ///< of their hashes
-        std::array<float, kLevels> fraction;              ///< of all flakes
+        std::array<float, kLevels> fraction;              ///< rho_l, of all flakes
         std::array<float, kMaxFlakesPerCell> cumulative;  ///< probability of at most n in a cell
         std::array<float, kLevels>
             full_cells;        ///< a level begins to fade where a patch touches so many cells

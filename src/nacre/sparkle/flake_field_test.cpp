@@ -76,8 +76,9 @@ double place_factor(double side_mm, double diameter_mm, double apart_mm = 0) {
     return sum * 4 * reach * reach / (kSteps * kSteps) / std::pow(side_mm, 4);
 }
 
-// Campbell's formula for the covariance of sum_k W_k g K_k / (rho blur P), discs all alike, g = lobe_fraction():
-// (1/rho) Int W_1 W_2 Int K_1 K_2 P (g / (blur P))_1 (g / (blur P))_2, of patches and of
+// Campbell's formula for the covariance of sum_j W_j e_h K_j / (nu P * K), discs all alike,
+// W = |disc on S| / (|S| a):
+// (1/nu) Int W_1 W_2 Int K_1 K_2 P (e_h / (P * K))_1 (e_h / (P * K))_2, of patches and of
 // slopes apart.
 double campbell(const FlakePopulation& population, const FlakeField& field, double side_mm,
                 Vec2f slope, float cosine, double apart_mm = 0, Vec2f turn = {0, 0}) {
@@ -198,7 +199,7 @@ TEST(FlakeField, CovarianceInSpaceAndInAngleFollowsCampbellsFormula) {
 }
 
 // The third moment tells a few bright specks on an even ground from many flakes. Campbell's
-// theorem: the third cumulant is (1/rho^2) Int W^3 Int K^3 P / (P * K)^3.
+// theorem: the third cumulant is (1/nu^2) Int W^3 Int K^3 P / (P * K)^3.
 TEST(FlakeField, KeepsNearlyTheSkewnessWhereFewStandForMany) {
     const FlakeField field(kSilver, 7);
     const Vec2f slope = {0.05f, 0};
@@ -217,10 +218,10 @@ TEST(FlakeField, KeepsNearlyTheSkewnessWhereFewStandForMany) {
             second += (v - mean) * (v - mean) / kPatches;
             third += std::pow(v - mean, 3) / kPatches;
         }
-        // Of all flakes: W = 1/M inside large patches; K = 3 (1 - t)^2 / (pi w^2), t even in [0,
-        // 1], so Int K^3 = 27/7 / (pi w^2)^2 against Int K^2 = 9/5 / (pi w^2): the skewness is
-        // (27/7) / (9/5)^(3/2) / sqrt(reflecting), reflecting = M P pi w^2; the rims of the patch
-        // and the bend of P are neglected. g cancels.
+        // Of all flakes: W = 1/M inside large patches; K = 3 (1 - u)^2 / (pi r^2), u even in [0,
+        // 1], so Int K^3 = 27/7 / (pi r^2)^2 against Int K^2 = 9/5 / (pi r^2): the skewness is
+        // (27/7) / (9/5)^(3/2) / sqrt(reflecting), reflecting = M P pi r^2; the rims of the patch
+        // and the bend of P are neglected. e_h cancels.
         const DiffractionLobe& lobe = field.lobe();
         const float slope2 = slope.x * slope.x;
         const double w = lobe.radius(20.0f) * lobe.widening(1 + slope2, cosine);
@@ -251,8 +252,8 @@ TEST(FlakeField, KeepsTheMeanWhateverTheSizesAndTheLobe) {
 }
 
 // By Campbell's formula for points, discs all alike and lobes that are Gaussian:
-// Int P G^2 / (P * G)^2 over rho times their area, G of alpha v and P of alpha a, at the slope 0
-// (a^2 + v^2)^2 / (2 v^2 (a^2 + v^2 / 2)).
+// Int P P_s^2 / (P * P_s)^2 over nu times their area, P_s of waviness v and P of alpha, at the slope 0
+// (alpha^2 + v^2)^2 / (2 v^2 (alpha^2 + v^2 / 2)).
 TEST(FlakeField, WavinessWidensTheLobesAndKeepsTheMean) {
     double before = 1e9;
     for (const double v : {0.02, 0.05, 0.1, 0.2}) {

@@ -65,9 +65,9 @@ struct FlakeView {
     float fraction(const DiffractionLobe& lobe, Vec2f slope, float cosine, int flake,
                    float coat_spread2 = 0) const;
 
-    /// Factor on the flakes that reflect: the lobes' fraction of the light, and so that the variance is
+    /// Factor on the flakes that reflect: the lobes' fraction e_h of the light, and so that the variance is
     /// that of all flakes. The integral of K^2 P / (P * K)^2 goes with
-    /// w^-2 (1 - (p^2/alpha^2 - 1) w^2/alpha^2 / 3 + ...); widening keeps its leading term, and this
+    /// r^-2 (1 - (t_h^2/alpha^2 - 1) r^2/alpha^2 / 3 + ...); widening keeps its leading term, and this
     /// the next.
     /// @param scale    DiffractionLobe::widening() of the half vector
     /// @param spread2  DiffractionLobe::spread2()
@@ -193,7 +193,7 @@ inline Vec2f FlakeView::sample_slope(const DiffractionLobe& lobe, Vec3f wi, floa
     const float x = slope_x[k], y = slope_y[k];
     const float width = own_radius(lobe, wi, splat(x), splat(y), splat(lobe_radius[k]),
                                    detail::kSampledWidening)[0];
-    // The inverse of 1 - (1 - r^2/w^2)^3.
+    // The inverse of 1 - (1 - distance^2/width^2)^3.
     const float r = width * std::sqrt(std::max(0.0f, 1 - std::cbrt(1 - u.x)));
     const float angle = 2 * std::numbers::pi_v<float> * u.y;
     return {x + r * std::cos(angle), y + r * std::sin(angle)};
@@ -206,7 +206,7 @@ inline FlakeView::Lobes FlakeView::lobes(const DiffractionLobe& lobe, Vec3f wi,
 }
 
 inline FlakeView::Lobes::Samples FlakeView::Lobes::sample(const Vec2<FloatLanes>& u) const {
-    // The inverse of 1 - (1 - t)^3, the distribution of t = r^2/w^2.
+    // The inverse of 1 - (1 - x)^3, the distribution of x = distance^2/radius^2.
     const FloatLanes fall = exp_lanes(log_lanes(1.0f - u.x) * (1.0f / 3));
     const FloatLanes r = radius * sqrt_lanes(max_lanes(1.0f - fall, FloatLanes{}));
     const auto wave = cos_sin_turns(u.y);

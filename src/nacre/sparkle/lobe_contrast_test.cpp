@@ -11,13 +11,13 @@
 
 // The contrast of flakes that diffract, by the model's lobe and by the Airy pattern.
 //
-// Flakes of slope density P, each with the pattern A, under a lamp that fills the disc L of slopes
-// about p_h: by Campbell's theorem the square of the contrast goes with
+// Flakes of slope density P, each with the pattern K_A, under a lamp that fills the disc L of slopes
+// about t_h: by Campbell's theorem the square of the contrast goes with
 //
-//     Int P(q) (A * L)(q)^2 dq / (Int_L P * A)^2.
+//     Int P(t) (K_A * L)(t)^2 dt / (Int_L P * K_A)^2.
 //
 // Lengths in the plane of slopes are measured in lambda'/d of |q|, in which the pattern is
-// A(u) = pi/4 (2 J_1(pi u) / (pi u))^2 and its transform 2/pi (acos s - s sqrt(1 - s^2)).
+// K_A(u) = pi/4 (2 J_1(pi u) / (pi u))^2 and its transform 2/pi (acos s - s sqrt(1 - s^2)).
 // [born-wolf-1999, sections 8.5.2 and 9.5]
 
 namespace nacre::sparkle {
@@ -41,7 +41,7 @@ double airy_transform(double s) {
     return s < 1 ? 2 / kPi * (std::acos(s) - s * std::sqrt(1 - s * s)) : 0;
 }
 double lamp_transform(double radius, double s) { return besinc(2 * kPi * radius * s); }
-// Of (1 - r^2/w^2)^2 3/(pi w^2).
+// Of 3/(pi r^2) (1 - u^2/r^2)^2, r = kW.
 double lobe_transform(double s) {
     const double x = 2 * kPi * kW * s;
     return x < 1e-2 ? 1 - x * x / 16 : 48 * std::cyl_bessel_j(3.0, x) / (x * x * x);
@@ -55,7 +55,7 @@ double integrate(double end, int nodes, F&& f) {
     return sum;
 }
 
-// P wide against all else: Parseval's theorem for Int (A * L)^2.
+// P wide against all else: Parseval's theorem for Int (K_A * L)^2.
 TEST(DiffractionLobe, HasTheContrastOfTheAiryPatternUnderWideLamps) {
     double worst = 0, worst_without = 0;
     for (const double diameter_um : {5, 7, 10, 14, 20, 28, 40, 57, 80, 100}) {
@@ -78,7 +78,7 @@ TEST(DiffractionLobe, HasTheContrastOfTheAiryPatternUnderWideLamps) {
     EXPECT_GT(worst_without, 0.1);
 }
 
-// Under a rough coat that spreads the pattern by exp(-u^2/a^2) / (pi a^2), the lamp a point.
+// Under a rough coat that spreads the pattern by P_s(u) = exp(-u^2/a^2) / (pi a^2), the lamp a point.
 TEST(DiffractionLobe, HasTheContrastOfTheAiryPatternThatACoatSpreads) {
     double worst = 0;
     for (const double a : {0.05, 0.1, 0.2, 0.4, 0.6, 0.8, 1.2, 2.0, 3.0, 5.0, 10.0, 30.0}) {
@@ -156,7 +156,7 @@ TEST(DiffractionLobe, HasTheContrastOfTheAiryPatternWhereSlopesAreFewAndLampsWid
                 for (const double x : {0.0, 1.0, 1.6}) {
                     const double a = in_patterns(alpha, diameter_um), h = x * a;
                     const double radius = lamp_radius(lamp_deg, diameter_um);
-                    // Truth: A * L from its transform.
+                    // Truth: K_A * L from its transform.
                     const auto density = [&](double px, double py) {
                         return std::exp(-(px * px + py * py) / (a * a)) / (kPi * a * a);
                     };

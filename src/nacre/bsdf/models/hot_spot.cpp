@@ -15,7 +15,8 @@
 namespace nacre::bsdf {
 namespace {
 
-// Root of c Int (1-T)^2 |w.m| D(m) dm / mu, of `count` blocks of wavelengths from `first` on.
+// sqrt(sigma_b / mu), sigma_b = c Int (1 - T)^2 |w.m| D(m) dm, of `count` blocks of wavelengths from
+// `first` on.
 std::vector<DoubleLanes> coupling(const solver::FlakeMedium& flake, double mu, int first,
                                   int count) {
     std::vector<DoubleLanes> value(count);

@@ -15,23 +15,24 @@ namespace nacre::bsdf {
 
 // The hot spot of large flakes: attenuation on the way in and on the way out is correlated.
 //
-// Discs of diameter d block a ray with the rate q c where their centres lie within d/2 of it,
-// q = s(mu)/mu. Two rays that leave one flake are g dz apart after a step dz in height,
-// g = |tan_i e_i - tan_o e_o|; discs that block both count once:
+// Opaque discs of diameter d block a ray with the rate sigma_b / mu where their centres lie within d/2
+// of it. Two rays that leave one flake, of tangents t_i and t_o, are delta dz apart after a step dz in
+// height, delta = |t_i - t_o|; discs that block both count once:
 //
-//     V(z) = exp(-kappa z + c sqrt(q_i q_o) Int_0^z O(g z'/d) dz'),
-//     O(x) = (2/pi) (acos x - x sqrt(1 - x^2))     for x < 1, the overlap of two discs,
+//     V(z) = exp(-kappa z + sqrt(sigma_b(w_i) sigma_b(w_o) / (mu_i mu_o)) Int_0^z O(delta z'/d) dz'),
+//     sigma_b(w) = c Int (1 - T)^2 |w.m| D(m) dm,
+//     O(xi) = (2/pi) (acos xi - xi sqrt(1 - xi^2))     for xi < 1, the overlap of two discs,
 //
 // as in the theory of leaf canopies [kuusk-1985]. A disc with transmittance T blocks neither ray
 // wholly: both together pass T^2, so that 1 - T enters squared. Each layer and species above the
-// flake adds its part. With g -> 0 (towards the light) or d -> infinity a flake that is lit is
+// flake adds its part. With delta -> 0 (towards the light) or d -> infinity a flake that is lit is
 // seen; with d -> 0 the transfer equation holds again. The same holds for light that a pigment or
 // the ground scatters once.
 //
 // Light that leaves after it was scattered once is missing from what is scattered again, which is
-// dimmed by g(i) g(o) (hot_spot_closing.h).
+// dimmed by C(i) C(o) (hot_spot_closing.h).
 //
-// A rough clearcoat turns each ray on its own: g is then the mean over its facets
+// A rough clearcoat turns each ray on its own: delta is then the mean over its facets
 // (CoatTilt::separation), and what is dimmed, and by how much, rough_hot_spot.h says.
 
 /// What does not depend on the wavelengths that are bound.
@@ -43,7 +44,7 @@ class HotSpotTables {
     struct Species {
         std::size_t layer;
         float diameter_um;            ///< mean, weighted by area
-        std::vector<float> coupling;  ///< [direction][wavelength]: sqrt(c Int (1-T)^2 |w.m| D / mu)
+        std::vector<float> coupling;  ///< [direction][wavelength]: sqrt(sigma_b / mu)
     };
     const std::vector<Species>& species() const { return species_; }
     /// [direction][wavelength]. The product of two directions: of ground(), the light that the
@@ -71,11 +72,11 @@ class HotSpotTables {
     sparkle::CoatTilt coat_;
 };
 
-/// Int_0^x O(t) dt; 4 / (3 pi) for x >= 1.
+/// Int_0^x O(xi) dxi; 4 / (3 pi) for x >= 1.
 double disc_overlap_integral(double x);
 
-/// Bound of what is exponentiated, as single precision ends at exp(88). The gain, ln of the attenuation
-/// over exp(-kappa z), is at most half of kappa z: beyond this bound less than exp(-40) of light is left.
+/// Bound of what is exponentiated, as single precision ends at exp(88). The gain, ln V + kappa z, is
+/// at most half of kappa z: beyond this bound less than exp(-40) of light is left.
 inline constexpr float kMaxGain = 40;
 
 class HotSpot {
@@ -86,12 +87,12 @@ class HotSpot {
     class Pair {
      public:
         Pair(const HotSpot& hot_spot, const Ray& i, const Ray& o);
-        /// ln of the attenuation over exp(-kappa z), at the fraction u of the layer's thickness.
+        /// ln V + kappa z, at the fraction u = z / H of the layer's thickness.
         FloatLanes gain(std::size_t layer, float u) const;
         /// Adds it to sums[lane], at the fraction u[lane] each.
         void add_gains(std::size_t layer, const FloatLanes& u,
                        std::array<FloatLanes, kLanes>& sums) const;
-        /// The mean of the attenuation over that of exp(-kappa z), for a layer whose optical depth
+        /// The mean of V over that of exp(-kappa z), for a layer whose optical depth
         /// along both directions is `depth`.
         FloatLanes mean(std::size_t layer, const FloatLanes& depth) const;
         /// All light that was not scattered once in a layer, without Fresnel factors.
@@ -117,7 +118,7 @@ class HotSpot {
 
         const HotSpot* hot_spot_;
         const Ray *i_, *o_;
-        float spread_;  // g
+        float spread_;  // delta
         // What mean() gave last: all that lies in a layer asks for the same.
         mutable std::size_t mean_layer_ = ~std::size_t{0};
         mutable FloatLanes mean_depth_, mean_;

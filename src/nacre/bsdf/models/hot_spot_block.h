@@ -43,8 +43,8 @@ class HotSpotBlock {
 
     /// Of the light that has just entered the coat from one direction.
     struct Budget {
-        FloatLanes again{};   ///< is there to be scattered again, by the equation of transfer
-        FloatLanes gained{};  ///< of it, what leaves with the hot spot
+        FloatLanes again{};   ///< Phi: is there to be scattered again, by the equation of transfer
+        FloatLanes gained{};  ///< dPhi: of it, what leaves with the hot spot
     };
     /// A direction that light leaves in which is scattered evenly.
     struct Exit {
@@ -69,7 +69,7 @@ class HotSpotBlock {
 
  private:
     FloatLanes lanes(const std::vector<double>& values) const;
-    /// 1/um along the way in and out together.
+    /// kappa: 1/um along the way in and out together.
     FloatLanes rate(std::size_t layer, const Ray& i, const Ray& o) const;
     void add_flakes(const Ray& i, Budget& sum) const;
     void add_others(const Ray& i, std::span<const Exit> exits, Budget& sum) const;

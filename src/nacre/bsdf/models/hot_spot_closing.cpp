@@ -92,7 +92,7 @@ std::vector<float> closing_factors(const solver::SolvedPaint& paint, const HotSp
         std::vector<Ray> rays;
         for (const double theta : polar.nodes) rays.push_back(paint_block.ray(theta));
         const std::vector<HotSpotBlock::Exit> exits = paint_block.exits(polar);
-        std::vector<FloatLanes> kept(n), entering(n), ground(pair(n, 0));  // kept: 1 - dQ / Q
+        std::vector<FloatLanes> kept(n), entering(n), ground(pair(n, 0));  // kept: 1 - dPhi / Phi
         parallel_for(0, n, [&](std::size_t a) {
             const HotSpotBlock::Budget budget = paint_block.budget(rays[a], exits);
             const FloatLanes again = max_lanes(budget.again, splat(1e-20f));

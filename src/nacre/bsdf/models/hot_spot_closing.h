@@ -10,18 +10,19 @@ namespace nacre::bsdf {
 // Where the light of the hot spot comes from.
 //
 // With the hot spot more of the light that is scattered once leaves, and as much less is scattered
-// again. Of the light that enters the coat from direction i, a fraction Q(i) is there to be scattered
-// again by the equation of transfer, and Q(i) - dQ(i) with the hot spot: all that was scattered once,
-// by a flake, a pigment or the ground, less what then left through the interface. Multiple
-// scattering f_m, with the albedo A_m(i), becomes g(i) g(o) f_m, with the g for which its albedo is
+// again. Of the light that enters the coat from direction i, a fraction Phi(i) is there to be scattered
+// again by the equation of transfer, and Phi(i) - dPhi(i) with the hot spot: all that was scattered
+// once, by a flake, a pigment or the ground, less what then left through the interface or was absorbed
+// by the clearcoat there and back. Multiple scattering f_m, without the ground's first reflection and
+// with the albedo A_m(i), becomes C(i) C(o) f_m, with the C for which its albedo is
 //
-//     A_m'(i) = A_m(i) (1 - dQ(i) / Q(i)),
+//     A_m'(i) = A_m(i) (1 - dPhi(i) / Phi(i)),
 //
-// reciprocal, never negative, and without loss or gain of light where nothing absorbs.  g is found
+// reciprocal, never negative, and without loss or gain of light where nothing absorbs. C is found
 // by symmetric matrix balancing, as Sinkhorn's iteration for a symmetric matrix
 // [sinkhorn-knopp-1967; knight-2014].
 
-/// g by [direction][wavelength], as the other direction tables.
+/// C by [direction][wavelength], as the other direction tables.
 /// @param tables  all but the closing
 /// @throws Error if the balancing does not converge
 std::vector<float> closing_factors(const solver::SolvedPaint& paint, const HotSpotTables& tables);
@@ -43,11 +44,11 @@ std::vector<float> closing_factors(const solver::SolvedPaint& paint, const HotSp
 std::vector<float> internal_reflection_gains(const solver::SolvedPaint& paint,
                                              const HotSpotTables& tables);
 
-/// Scales a symmetric matrix: g with g_a sum_b m[a][b] g_b = sum[a], to 1e-6 of it. g_a = 1 where
+/// Scales a symmetric matrix: C with C_a sum_b m[a][b] C_b = sum[a], to 1e-6 of it. C_a = 1 where
 /// m[a] and sum[a] are 0, and 0 where sum[a] alone is.
 /// @param matrix  row-major, entries >= 0
 /// @param sum     >= 0
-/// @throws Error if it does not converge, as where no such g exists
+/// @throws Error if it does not converge, as where no such C exists
 std::vector<double> balance(const std::vector<double>& matrix, const std::vector<double>& sum);
 
 }  // namespace nacre::bsdf

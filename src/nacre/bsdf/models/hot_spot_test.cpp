@@ -53,8 +53,9 @@ double lit_and_seen(double diameter_um, double theta_deg) {
 }
 
 // The closed form for these flakes, lit at an angle inside the paint and seen at the same angle
-// on the other side: Int V du over the depth u of the flake, V = exp(-2 q beta u + q beta J(u)),
-// J = Int_0^u O(g H u' / d) du', O the overlap of two discs.           [kuusk-1985]
+// on the other side: E[V], the mean over the depth u = z / H of the flake, V = exp(-2 q beta u + q beta J(u)),
+// beta = c H, q beta = H sigma_b / mu, J = Int_0^u O(delta H u' / d) du', O the overlap of two discs.
+// [kuusk-1985]
 double closed_form(double diameter_um, double theta_deg) {
     const double q_beta = 0.995073 * 2, g = 2 * std::tan(theta_deg * kDegree);
     constexpr int kSteps = 20000;
@@ -149,7 +150,7 @@ TEST(HotSpot, MeanOverPatchesIsItsOwnMean) {
 }
 
 TEST(Balance, FindsTheScalesOfASymmetricMatrix) {
-    // g = (2, 3, 1/2) by construction.
+    // C = (2, 3, 1/2) by construction.
     const std::vector<double> m = {0.4, 1, 0.2, 1, 0.1, 3, 0.2, 3, 7}, g = {2, 3, 0.5};
     std::vector<double> sum(3, 0.0);
     for (int a = 0; a < 3; ++a) {
@@ -162,7 +163,7 @@ TEST(Balance, FindsTheScalesOfASymmetricMatrix) {
     // Nothing is left of one of them.
     EXPECT_THAT(balance({1, 2, 2, 3}, {0, 12}),
                 testing::ElementsAre(0, testing::DoubleNear(2, 1e-5)));
-    // No g: what one of two gets from the other, the other gets from it.
+    // No C: what one of two gets from the other, the other gets from it.
     EXPECT_THROW(balance({0, 1, 1, 0}, {1, 2}), Error);
 }
 

@@ -131,11 +131,11 @@ TEST(Nacre, WithoutAPatchIsTheMicroflakeModel) {
 }
 
 // Campbell's theorem for one species of flakes of one diameter, independent of the code under test:
-// Var X = nu Int W^2 dx  Int P K^2/(P*K)^2 dp  E[r^2] E[v^2].
+// Var X = nu Int W^2 dy  Int P K^2/(P * K)^2 dt  E[R^2]/E[R]^2  E[V^2]/E[V]^2.
 struct Campbell {
     double ior = 1.5, alpha = 0.1, diameter_um, flakes_per_mm2;
 
-    // Int W^2 dx, W = |disc on square| / (|square| nu a): by the covariograms of disc and square.
+    // Int W^2 dy, W = |disc on S| / (|S| nu a), S a square: by the covariograms of disc and square.
     double place(double side_mm) const {
         const double r = 0.5e-3 * diameter_um, disc = std::numbers::pi * r * r;
         const double cover = flakes_per_mm2 * disc;
@@ -157,8 +157,8 @@ struct Campbell {
         return sum / std::pow(side_mm * side_mm * cover, 2);
     }
 
-    // e^2 Int P(p) K(p_h - p)^2 dp / (P*A)(p_h)^2, with the lobe of docs/nacre-model.md and the Airy
-    // pattern A.
+    // e^2 Int P(t) K(t_h - t)^2 dt / (P * K_A)(t_h)^2, with the lobe of docs/nacre-model.md and the Airy
+    // pattern K_A.
     double slope(Vec3f inside_i, Vec3f inside_o) const {
         const Vec3f h = inside_i + inside_o;
         const double hx = h.x / h.z, hy = h.y / h.z, sec = std::sqrt(1 + hx * hx + hy * hy);
@@ -183,7 +183,7 @@ struct Campbell {
         return e * e * twice / (airy * airy);
     }
 
-    // (P*A)(p_h): of the pattern 2 J_1(x)^2 / x dx lies on a circle about p_h, with P's mean there.
+    // (P * K_A)(t_h): of the pattern 2 J_1(x)^2 / x dx lies on a circle about t_h, with P's mean there.
     double airy_lit(double h, double pattern) const {
         const Quadrature rule = gauss_legendre(400, 0.0, 5 * alpha);
         double sum = 0;
@@ -198,7 +198,7 @@ struct Campbell {
         return sum;
     }
 
-    // E[v^2] for v = x e^(-u x) / (1 - e^-x), u uniform in [0, 1].
+    // E[V^2] / E[V]^2 for V = exp(-u x), u = z / H uniform in [0, 1] and x = kappa H.
     static double depth(double x) { return x / 2 * (1 + std::exp(-x)) / -std::expm1(-x); }
 };
 

@@ -117,7 +117,7 @@ Vector towards(double theta_deg, double phi_deg) {
 
 struct RoughCase {
     double roughness, theta_i, theta_o, phi, alpha, diameter_um;
-    /// E[r^2] / E[r]^2 over the slopes of flakes, r what a flake reflects into the lamp, by 15 million
+    /// E[L^2] / E[L]^2 over the slopes of flakes, L what a flake reflects into the lamp, by 15 million
     /// walks for each of the two, and its standard error.
     double counted, error;
 };
@@ -161,7 +161,7 @@ TEST(NacreRough, FacetsAndFlakesReflectAsTheyWereCounted) {
                 sum += v;
                 squares += v * v;
             }
-            // Density of slopes over that of those drawn, and r^2 by two walks at a time.
+            // Density of slopes over that of those drawn, and L^2 by two walks at a time.
             twice.add(reach_of(c) * reach_of(c) / (c.alpha * c.alpha) *
                       std::exp(-(x * x + y * y) / (c.alpha * c.alpha)) * (sum * sum - squares) /
                       (kWalks * (kWalks - 1.0)));
@@ -243,7 +243,7 @@ TEST(NacreRough, ContrastIsThatOfFacetsAndFlakes) {
     }
 }
 
-// On points: Var X = slopes E[v^2] / (nu a), the number of flakes that cover a point being Poisson.
+// On points: Var X = slopes E[V^2] / E[V]^2 / (nu a), the number of flakes that cover a point being Poisson.
 TEST(NacreRough, VarianceIsThatOfACompoundPoissonProcess) {
     for (const RoughCase& c : {kRoughCases[1], kRoughCases[5]}) {
         paint::Recipe recipe = paint_of({metal_flake(c.diameter_um, 0.6, c.alpha)});

@@ -25,7 +25,7 @@ paint::Recipe leaning_metal(double diameter_um) {
 }
 
 // Gain of single scattering between a direction at this angle outside and the critical angle on the other
-// side: Int e^(-kappa u + c J(u)) du over Int e^(-kappa u) du, as in hot_spot.h.       [kuusk-1985]
+// side: E[V] / E[exp(-kappa z)], as in hot_spot.h, over u = z / H; delta is g here.    [kuusk-1985]
 double gain_towards_critical(double diameter_um, double theta) {
     const double sine = std::sin(theta) / 1.5, mu = std::sqrt(1 - sine * sine);
     const double critical = std::sqrt(1 - 1 / (1.5 * 1.5));

@@ -279,7 +279,7 @@ class RoughHotSpot {
         }
     }
 
-    // g by node and wavelength.
+    // C by node and wavelength.
     std::vector<double> closing() {
         const auto size = static_cast<std::size_t>(nodes_) * wavelengths_;
         std::vector<double> entered(size), lost(size), scale(size);

@@ -13,14 +13,14 @@ namespace nacre::bsdf {
 // multiplied by the gain of the hot spot as it is under a smooth coat, with half vectors and rays
 // spread as the facets spread them:
 //
-//     f_single' = f_single  sum_l f_l V_l / sum_l f_l,
+//     f_single' = f_single  sum_l f_l E[V]_l / E[exp(-kappa z)]_l / sum_l f_l,
 //
-// f_l the single scattering of layer l in closed form and V_l its gain (HotSpot::Pair::mean). The
-// ground's own reflection, of light that nothing else has scattered, is taken to be
-// rho/pi a(i) a(o) / n^2 with a = T e^(-depth), T the fraction that the rough interface lets through
-// and the depth that along the ray refracted by a smooth one; it gains in the same way. What both gain
+// f_l the single scattering of layer l in closed form and the quotient of means over depth its gain
+// (HotSpot::Pair::mean). The ground's own reflection, of light that nothing else has scattered, is taken
+// to be f_ground = Tr_i Tr_o / n^2 R_g / pi exp(-tau_a), Tr the fraction that the rough interface lets
+// through and tau_a that along the rays refracted by a smooth one; it gains in the same way. What both gain
 // is missing from what is scattered again: of all that enters the coat, less what leaves after it was
-// scattered once, the fraction that is left scales the albedo of multiple scattering, by g(i) g(o)
+// scattered once, the fraction that is left scales the albedo of multiple scattering, by C(i) C(o)
 // as under a smooth coat (hot_spot_closing.h). Albedos are those of the tables, so that no light is
 // lost or gained where nothing absorbs.
 
