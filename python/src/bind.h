@@ -51,6 +51,10 @@ using ModelChoices = std::map<std::string, std::string>;
 /// @throws SettingError naming the model and those that there are, or the option and its values
 bsdf::Model configured_model(const std::string& name, const ModelChoices& options);
 
+/// The switches among the options of a model, by name, and whether they are on without any choice:
+/// {"hot_spot": true}. None of a name that is no model.
+std::map<std::string, bool> model_switches(const std::string& name);
+
 /// "total", "single" or "multiple". @throws SettingError
 Part part_of(const std::string& name);
 

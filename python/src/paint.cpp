@@ -347,8 +347,16 @@ Part part_of(const std::string& name) {
 void bind_paint(nb::module_& module) {
     nb::class_<bsdf::Model>(module, "Model")
         .def(nb::new_(&configured_model), "name"_a, "options"_a)
-        .def("text", &bsdf::Model::text);
+        .def("text", &bsdf::Model::text)
+        .def("shows_flakes", [](const bsdf::Model& model) { return model.info().can.sparkle; });
     module.def("model_names", &model_names);
+    module.def("default_picture_model",
+               [] { return std::string(models::default_picture_model().info().name); });
+    module.def("models_with_arrays", [] {
+        const auto names = models::names_with_arrays();
+        return std::vector<std::string>(names.begin(), names.end());
+    });
+    module.def("model_switches", &model_switches, "name"_a);
     module.def("shipped_paints", &shipped_paints);
 
     const auto wavelengths = nb::arg("wavelengths_nm").none();

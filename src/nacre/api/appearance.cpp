@@ -199,13 +199,12 @@ PaintBrdf Paint::brdf(const BrdfSettings& settings, const Progress& progress) co
     }
     if (brdf.wavelengths_nm_.empty()) brdf.wavelengths_nm_ = spectra::default_wavelengths_nm();
     // Few who ask for values ask for those of single flakes, which take most of the time.
-    const auto* nacre = measured || has_table ? nullptr : model.get<NacreModel>();
-    const bool alone = nacre && !settings.patches && !state_->known_look(model, solve);
+    const bool alone = !measured && !has_table && model.makes_mean() && !settings.patches &&
+                       !state_->known_look(model, solve);
     std::shared_ptr<const bsdf::Bsdf> look;
     if (alone) {
         const auto paint = solved(solve, only_asking(progress));
-        look =
-            state_->naming_file([&] { return bsdf::Nacre::mean_alone(paint, *nacre, progress); });
+        look = state_->naming_file([&] { return model.make_mean(paint, progress); });
     } else {
         look = appearance(settings.model, solve, progress);
     }

@@ -190,10 +190,10 @@ std::pair<Readings, Readings> measure_alike(const Paint& sample, const Paint& st
                                             const MeasureSettings& settings,
                                             const Progress& progress) {
     const auto is = [](const Paint& paint, Kind kind) { return paint.kind() == kind; };
-    // A measured BRDF leaves the model to the paint beside it.
+    // What is measured leaves the model to the paint beside it.
     const auto settings_for = [&](const Paint& paint, const Paint& other) {
         MeasureSettings own = settings;
-        if (is(paint, Kind::measured_brdf) && !is(other, Kind::measured_brdf)) own.model.reset();
+        if (paint.is_measured() && !other.is_measured()) own.model.reset();
         return own;
     };
     if (is(sample, Kind::measured_colours) == is(standard, Kind::measured_colours)) {

@@ -285,6 +285,19 @@ TEST(Appearance, RefusesWhatDoesNotFit) {
                 HasSubstr("the surface is alike everywhere"));
 }
 
+TEST(Appearance, AShaderShowsTheModelThatWasChosenOrThatOfPictures) {
+    const Paint paint(fit::testing::pearl());
+    const ShaderMaterial usual = paint.export_threejs(),
+                         smooth = paint.export_threejs(MicroflakeModel{});
+    EXPECT_EQ(usual.model, "nacre");
+    EXPECT_EQ(usual.standard, "nacre");
+    EXPECT_EQ(smooth.model, "microflake");
+    EXPECT_EQ(smooth.standard, "nacre");
+    EXPECT_THAT(usual.bytes, HasSubstr("the paint by the model nacre, in CIEDE2000"));
+    EXPECT_THAT(message_of<SettingError>([&] { paint.export_threejs(ThinFilmModel{}); }),
+                HasSubstr("must be nacre, or microflake without tables"));
+}
+
 TEST(Appearance, ValuesAreThoseOfTheSolutionOrAsRenderedWithinAPercent) {
     const Paint paint(fit::testing::pearl());
     const PaintBrdf exact = paint.brdf(), fast = paint.brdf({.as_rendered = true});
@@ -469,9 +482,20 @@ TEST(Fit, StopsWhenAskedTo) {
 }
 
 TEST(Fit, SeesTheHotSpotOfTheModelThatHasOne) {
-    EXPECT_TRUE(shows_hot_spot(NacreModel{.specimen = 2}));
-    EXPECT_FALSE(shows_hot_spot(NacreModel{.hot_spot = false}));
-    EXPECT_FALSE(shows_hot_spot(MicroflakeModel{}));
+    EXPECT_TRUE(Model(NacreModel{.specimen = 2}).shows_hot_spot());
+    EXPECT_FALSE(Model(NacreModel{.hot_spot = false}).shows_hot_spot());
+    EXPECT_FALSE(Model(MicroflakeModel{}).shows_hot_spot());
+}
+
+TEST(Fit, RefusesAModelThatHasNoPartInIt) {
+    const Paint pearl(fit::testing::pearl());
+    const Paint colours = open_text(pearl.measure(geometries("45as15")).csv(), "a.csv");
+    EXPECT_EQ(message_of<SettingError>([&] { require_part_in_fit(WalkModel{}, colours); }),
+              "model = walk: a.csv is measured, and the paint that is sought is seen by nacre or "
+              "microflake");
+    require_part_in_fit(NacreModel{}, colours);
+    require_part_in_fit(MicroflakeModel{}, colours);
+    require_part_in_fit(WalkModel{}, pearl);  // sees the standard
 }
 
 }  // namespace
