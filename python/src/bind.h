@@ -58,6 +58,11 @@ std::map<std::string, bool> model_switches(const std::string& name);
 /// "total", "single" or "multiple". @throws SettingError
 Part part_of(const std::string& name);
 
+/// Of a direction, in degrees. @throws SettingError naming the argument, unless in kPolarAngleRange
+void require_polar_angle(const char* name, double deg);
+/// The same of an azimuth, which may be any finite angle.
+void require_finite_angle(const char* name, double deg);
+
 /// The illuminant or observer of that name. @throws SettingError
 spectra::Illuminant illuminant(const std::string& name);
 spectra::Observer observer(const std::string& name);

@@ -118,16 +118,6 @@ void require_direction(const char* name, const double* w) {
     }
 }
 
-void require_polar_angle(const char* name, double deg) {
-    if (!(deg >= 0 && deg < 90)) {
-        throw SettingError(name, "must be in [0, 90) deg", fmt::format("{}", deg));
-    }
-}
-
-void require_finite_angle(const char* name, double deg) {
-    if (!std::isfinite(deg)) throw SettingError(name, "must be finite", fmt::format("{}", deg));
-}
-
 bool asks_for_none(const OptionalDoubles& wavelengths_nm) {
     return wavelengths_nm && wavelengths_nm->size() == 0;
 }
@@ -342,6 +332,16 @@ Part part_of(const std::string& name) {
     if (name == "single") return Part::single;
     if (name == "multiple") return Part::multiple;
     throw SettingError("part", "must be total, single or multiple", name);
+}
+
+void require_polar_angle(const char* name, double deg) {
+    if (!kPolarAngleRange.contains(deg)) {
+        throw SettingError(name, "must be in " + kPolarAngleRange.text(), fmt::format("{}", deg));
+    }
+}
+
+void require_finite_angle(const char* name, double deg) {
+    if (!std::isfinite(deg)) throw SettingError(name, "must be finite", fmt::format("{}", deg));
 }
 
 void bind_paint(nb::module_& module) {

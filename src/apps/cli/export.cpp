@@ -298,12 +298,12 @@ Command add_export(CLI::App& program) {
     only(command->add_option("--resolution", options->rgl.resolution,
                              ".bsdf: points per side for each incidence"),
          options->only_rgl)
-        ->check(in_range(4, 512))
+        ->check(in_range<int>(measure::RglSettings::kResolutionRange))
         ->capture_default_str();
     only(command->add_option("--incidences", options->rgl.incident,
                              ".bsdf: polar angles of incidence, 0 to 89 deg, closest near grazing"),
          options->only_rgl)
-        ->check(in_range(2, 256))
+        ->check(in_range<int>(measure::RglSettings::kIncidentRange))
         ->capture_default_str();
     only(command->add_flag("--rgb", options->rgl.rgb,
                            ".bsdf: linear Rec. 709 instead of spectra, for renderers in RGB"),

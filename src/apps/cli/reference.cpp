@@ -84,7 +84,7 @@ Command add_reference(CLI::App& program) {
     command->add_option("--wavelength", options->wavelengths, "Vacuum wavelengths, nm")
         ->capture_default_str();
     command->add_option("--samples", options->samples, "Walks per incident direction")
-        ->check(in_range(std::uint64_t{2}, std::uint64_t{1'000'000'000'000'000}))
+        ->check(in_range<std::uint64_t>(montecarlo::ReferenceSettings::kSamplesRange))
         ->capture_default_str();
     add_table_output(*command, *options);
     add_seed(*command, *options);
