@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -29,6 +30,7 @@
 #include "nacre/measure/measurement.h"
 #include "nacre/measure/sparkle_measurement.h"
 #include "nacre/montecarlo/plane_walk.h"
+#include "nacre/montecarlo/reference.h"
 #include "nacre/montecarlo/shell_walk.h"
 #include "nacre/paint/parameter_correlation.h"
 #include "nacre/paint/parameter_deviation.h"
@@ -70,6 +72,7 @@ using measure::MerlSettings;
 using measure::RglSettings;
 using measure::SparkleCamera;
 using measure::Viewing;
+using montecarlo::Direction;
 using spectra::Illuminant;
 using spectra::Observer;
 
@@ -215,6 +218,13 @@ using measure::kDefaultGeometries;
 /// "45as15,45as25az90,45to30,90".
 /// @throws DomainError if it is none of these; InputError if the file is wrong
 std::vector<Geometry> geometries(const std::string& text);
+
+/// How a BRDF is estimated by random walks.
+struct ReferenceSettings {
+    /// Vacuum wavelengths, nm. Empty: 400 to 700 by 10.
+    std::vector<double> wavelengths_nm = {};
+    montecarlo::ReferenceSettings walks = {};
+};
 
 /// The bytes of a file, and its error against the values that it was made from.
 struct Exported {
@@ -397,6 +407,17 @@ class Paint {
     ///         stated as asked; DomainError, Error as measure::measure()
     Readings measure(const std::vector<Geometry>& geometries = {},
                      const MeasureSettings& settings = {}, const Progress& progress = {}) const;
+
+    /// The BRDF by a random walk through the recipe that is independent of the solver
+    /// (docs/reference.md): a check of everything else that gives values.
+    /// @return  in 1/sr, [incident][outgoing][wavelength], row-major, with standard errors
+    /// @throws SettingError naming incident, outgoing, wavelength or samples where it is out of range;
+    ///         InputError as recipe(), or naming the file where light cannot be followed through the
+    ///         recipe; Error as montecarlo::reference_brdf()
+    std::vector<Estimate> reference(std::span<const Direction> incident,
+                                    std::span<const Direction> outgoing,
+                                    const ReferenceSettings& settings = {},
+                                    const Progress& progress = {}) const;
 
     /// How far those readings are spread if numbers of the recipe are known to standard deviations
     /// only: the paint is solved anew beside each of them (docs/uncertainty.md).

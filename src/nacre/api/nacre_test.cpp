@@ -402,6 +402,48 @@ TEST(Measuring, WalksEstimateWhatTheSolverSays) {
     EXPECT_THROW(paint.measure(angles, walk, [](double) { return false; }), Error);
 }
 
+TEST(Reference, IsTheWalkThroughTheRecipe) {
+    const Paint paint(fit::testing::pearl());
+    const std::vector<Direction> lamps = {{45, 0}}, views = {{20, 180}, {70, 30}};
+    const ReferenceSettings settings{{450, 650}, {.samples = 1000, .seed = 3}};
+    const std::vector<Estimate> got = paint.reference(lamps, views, settings);
+    const std::vector<Estimate> want = montecarlo::reference_brdf(
+        paint.recipe(), lamps, views, settings.wavelengths_nm, settings.walks);
+    ASSERT_EQ(got.size(), 4u);
+    for (std::size_t i = 0; i < got.size(); ++i) {
+        EXPECT_EQ(got[i].value, want[i].value);
+        EXPECT_EQ(got[i].standard_error, want[i].standard_error);
+    }
+    EXPECT_EQ(paint.reference(lamps, views, {{}, {.samples = 2}}).size(), 2u * 31u);
+}
+
+TEST(Reference, SaysWhetherASettingIsWrongOrThePaint) {
+    const Paint paint(fit::testing::pearl());
+    const auto complaint = [&](const Paint& of, const Direction& lamp, const Direction& view,
+                               const ReferenceSettings& settings) {
+        return message_of<SettingError>(
+            [&] { of.reference(std::vector{lamp}, std::vector{view}, settings); });
+    };
+    const ReferenceSettings few{{550}, {.samples = 2}};
+    EXPECT_EQ(complaint(paint, {90, 0}, {20, 0}, few),
+              "incident = 90: must be a number in [0, 90) deg");
+    EXPECT_EQ(complaint(paint, {45, 0}, {-1, 0}, few),
+              "outgoing = -1: must be a number in [0, 90) deg");
+    EXPECT_THAT(complaint(paint, {45, 0}, {20, std::nan("")}, few),
+                HasSubstr("outgoing = nan: must have a finite azimuth"));
+    EXPECT_THAT(complaint(paint, {45, 0}, {20, 0}, {{-5}, {.samples = 2}}),
+                HasSubstr("wavelength = -5: must be a number in "));
+    EXPECT_THAT(complaint(paint, {45, 0}, {20, 0}, {{550}, {.samples = 1}}),
+                HasSubstr("samples = 1: must be a number in [2, "));
+    paint::Recipe facets = io::read_recipe(shipped_file("paints/tio2-mica-80.toml"));
+    facets.layers.clear();
+    const Paint none(facets);
+    const std::vector<Direction> up = {{0, 0}};
+    EXPECT_THAT(message_of<InputError>([&] { none.reference(up, up, few); }),
+                HasSubstr("recipe: layer: is missing; light is followed"));
+    EXPECT_THROW(paint.reference(up, up, few, [](double) { return false; }), Stopped);
+}
+
 TEST(Measuring, APaintIsReadAsTheColoursBesideItWere) {
     const Paint pearl(fit::testing::pearl());
     const Paint colours = open_text(
