@@ -44,8 +44,8 @@ nb::tuple reference(const PaintHandle& handle, const Doubles& theta_i_deg,
     const ReferenceSettings settings{nm, {samples, seed, part_of(part)}};
     // No wavelengths are not those that the library chooses.
     const auto estimates =
-        nm.empty() ? std::vector<Estimate>() : run(progress, [&](const Progress& ask) {
-            return handle.paint.reference(incident, outgoing, settings, ask);
+        nm.empty() ? std::vector<Estimate>() : run(progress, [&](const Progress& callback) {
+            return handle.paint.reference(incident, outgoing, settings, callback);
         });
     std::vector<double> values, errors;
     for (const Estimate& estimate : estimates) {

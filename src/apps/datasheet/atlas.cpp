@@ -187,14 +187,14 @@ Atlas recipe_atlas(const paint::Recipe& recipe, const std::string& key,
                    const Progress& progress, RecipeReader read) {
     require_cells(values.size(), geometries.size());
     if (!read) {
-        read = [&](const paint::Recipe& changed, const Progress& ask) {
+        read = [&](const paint::Recipe& changed, const Progress& callback) {
             return Paint(changed)
                 .measure(geometries,
                          {.illuminant = conditions.illuminant,
                           .observer = conditions.observer,
                           .aperture = conditions.aperture,
                           .wavelengths_nm = wavelengths_nm},
-                         ask)
+                         callback)
                 .measurement;
         };
     }
@@ -215,12 +215,12 @@ Atlas recipe_atlas(const paint::Recipe& recipe, const std::string& key,
         .geometries = geometries};
     atlas.lab.resize(values.size() * geometries.size());
     SharedProgress work(progress, static_cast<double>(values.size()));
-    const Progress ask = [&](double) { return work.ask(); };
+    const Progress callback = [&](double) { return work.keep_going(); };
     for (std::size_t v = 0; v < values.size(); ++v) {
         work.throw_if_stopped(kMaking);
         paint::Recipe changed = recipe;
         paint::set_parameter(changed, key, values[v]);
-        const measure::Measurement readings = read(changed, ask);
+        const measure::Measurement readings = read(changed, callback);
         for (std::size_t g = 0; g < geometries.size(); ++g) {
             atlas.lab[g * values.size() + v] = readings.readings[g].lab;
         }
