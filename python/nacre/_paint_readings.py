@@ -160,7 +160,7 @@ class PaintReadings(OpenedPaint):
             return sparkle_of(
                 _nacre.sparkle(
                     self._paint,
-                    settings_of("nacre" if model is None else model),
+                    settings_of(_nacre.default_picture_model() if model is None else model),
                     [float(lamp) for lamp in lamps_deg],
                     lamp_half_angle_deg,
                     field_mm,

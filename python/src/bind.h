@@ -51,8 +51,17 @@ using ModelChoices = std::map<std::string, std::string>;
 /// @throws SettingError naming the model and those that there are, or the option and its values
 bsdf::Model configured_model(const std::string& name, const ModelChoices& options);
 
+/// The switches among the options of a model, by name, and whether they are on without any choice:
+/// {"hot_spot": true}. None of a name that is no model.
+std::map<std::string, bool> model_switches(const std::string& name);
+
 /// "total", "single" or "multiple". @throws SettingError
 Part part_of(const std::string& name);
+
+/// Of a direction, in degrees. @throws SettingError naming the argument, unless in kPolarAngleRange
+void require_polar_angle(const char* name, double deg);
+/// The same of an azimuth, which may be any finite angle.
+void require_finite_angle(const char* name, double deg);
 
 /// The illuminant or observer of that name. @throws SettingError
 spectra::Illuminant illuminant(const std::string& name);

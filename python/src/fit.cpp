@@ -132,7 +132,7 @@ void bind_fit(nb::module_& module) {
                 settings.equal_delta_e = equal_dE;
                 settings.matched_delta_e = matched_dE;
                 settings.target.weights = weights;
-                settings.target.hot_spot = model && shows_hot_spot(*model);
+                settings.target.hot_spot = model && model->shows_hot_spot();
                 if (!also.empty()) {
                     settings.target.illuminants = {standard.measurement.conditions.illuminant};
                     for (const std::string& name : also) {

@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -98,6 +99,17 @@ bsdf::Model configured_model(const std::string& name, const ModelChoices& option
         choose(model, *option, key, value);
     }
     return model;
+}
+
+std::map<std::string, bool> model_switches(const std::string& name) {
+    std::map<std::string, bool> switches;
+    const bsdf::ModelInfo* info = models::find_model(name);
+    if (!info) return switches;
+    for (const bsdf::ModelOption& option : info->options) {
+        if (!option.names.empty() || option.range) continue;
+        switches[keyword(option.flag)] = option.get(info->standard()) != 0;
+    }
+    return switches;
 }
 
 spectra::Illuminant illuminant(const std::string& name) {

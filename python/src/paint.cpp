@@ -118,16 +118,6 @@ void require_direction(const char* name, const double* w) {
     }
 }
 
-void require_polar_angle(const char* name, double deg) {
-    if (!(deg >= 0 && deg < 90)) {
-        throw SettingError(name, "must be in [0, 90) deg", fmt::format("{}", deg));
-    }
-}
-
-void require_finite_angle(const char* name, double deg) {
-    if (!std::isfinite(deg)) throw SettingError(name, "must be finite", fmt::format("{}", deg));
-}
-
 bool asks_for_none(const OptionalDoubles& wavelengths_nm) {
     return wavelengths_nm && wavelengths_nm->size() == 0;
 }
@@ -345,11 +335,29 @@ Part part_of(const std::string& name) {
     throw SettingError("part", "must be total, single or multiple", name);
 }
 
+void require_polar_angle(const char* name, double deg) {
+    if (!kPolarAngleRange.contains(deg)) {
+        throw SettingError(name, "must be in " + kPolarAngleRange.text(), fmt::format("{}", deg));
+    }
+}
+
+void require_finite_angle(const char* name, double deg) {
+    if (!std::isfinite(deg)) throw SettingError(name, "must be finite", fmt::format("{}", deg));
+}
+
 void bind_paint(nb::module_& module) {
     nb::class_<bsdf::Model>(module, "Model")
         .def(nb::new_(&configured_model), "name"_a, "options"_a)
-        .def("text", &bsdf::Model::text);
+        .def("text", &bsdf::Model::text)
+        .def("shows_flakes", [](const bsdf::Model& model) { return model.info().can.sparkle; });
     module.def("model_names", &model_names);
+    module.def("default_picture_model",
+               [] { return std::string(models::default_picture_model().info().name); });
+    module.def("models_with_arrays", [] {
+        const auto names = models::names_with_arrays();
+        return std::vector<std::string>(names.begin(), names.end());
+    });
+    module.def("model_switches", &model_switches, "name"_a);
     module.def("shipped_paints", &shipped_paints);
 
     const auto wavelengths = nb::arg("wavelengths_nm").none();

@@ -1,5 +1,3 @@
-#include "nacre/montecarlo/reference.h"
-
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 
@@ -23,13 +21,6 @@ namespace nacre::python {
 namespace {
 
 using namespace nb::literals;
-using montecarlo::Direction;
-
-/// Which the recipe must not be blamed for.
-double angle(const char* name, double theta_deg) {
-    if (theta_deg >= 0 && theta_deg < 90) return theta_deg;
-    throw SettingError(name, "must be in [0, 90) deg", std::to_string(theta_deg));
-}
 
 /// (brdf, standard error), each (lamp..., view..., wavelength).
 nb::tuple reference(const PaintHandle& handle, const Doubles& theta_i_deg,
@@ -40,31 +31,22 @@ nb::tuple reference(const PaintHandle& handle, const Doubles& theta_i_deg,
     const Broadcast<2> views({&theta_o_deg, &phi_deg}, {"theta_o_deg", "phi_deg"}, 1);
     std::vector<Direction> incident(lamps.size()), outgoing(views.size());
     for (std::size_t i = 0; i < incident.size(); ++i) {
-        incident[i] = {angle("theta_i_deg", *lamps.at(0, i)), 0};
+        incident[i] = {*lamps.at(0, i), 0};
+        require_polar_angle("theta_i_deg", incident[i].theta_deg);
     }
     for (std::size_t o = 0; o < outgoing.size(); ++o) {
-        outgoing[o] = {angle("theta_o_deg", *views.at(0, o)), *views.at(1, o)};
-        if (!std::isfinite(outgoing[o].phi_deg)) throw SettingError("phi_deg", "must be finite");
+        outgoing[o] = {*views.at(0, o), *views.at(1, o)};
+        require_polar_angle("theta_o_deg", outgoing[o].theta_deg);
+        require_finite_angle("phi_deg", outgoing[o].phi_deg);
     }
     const std::vector<double> nm =
         wavelengths_nm ? to_vector(*wavelengths_nm) : spectra::default_wavelengths_nm();
-    for (const double wavelength : nm) {
-        require_in_range(wavelength, paint::limits::kWavelength.lo, paint::limits::kWavelength.hi,
-                         "wavelength in nm");
-    }
-    constexpr std::uint64_t kMaxSamples = 1'000'000'000'000'000;
-    if (samples < 2 || samples > kMaxSamples) {
-        throw SettingError("samples", "must be in [2, 1e15]", std::to_string(samples));
-    }
-    const montecarlo::ReferenceSettings settings{samples, seed, part_of(part)};
-    const paint::Recipe& recipe = handle.paint.recipe();
-    const auto estimates = run(progress, [&](const Progress& callback) {
-        try {
-            return montecarlo::reference_brdf(recipe, incident, outgoing, nm, settings, callback);
-        } catch (const DomainError& error) {  // the rest has been checked: it is the recipe
-            throw InputError(handle.paint.file() + ": " + error.what());
-        }
-    });
+    const ReferenceSettings settings{nm, {samples, seed, part_of(part)}};
+    // No wavelengths are not those that the library chooses.
+    const auto estimates =
+        nm.empty() ? std::vector<Estimate>() : run(progress, [&](const Progress& callback) {
+            return handle.paint.reference(incident, outgoing, settings, callback);
+        });
     std::vector<double> values, errors;
     for (const Estimate& estimate : estimates) {
         values.push_back(estimate.value);

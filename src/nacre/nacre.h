@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -29,6 +30,7 @@
 #include "nacre/measure/measurement.h"
 #include "nacre/measure/sparkle_measurement.h"
 #include "nacre/montecarlo/plane_walk.h"
+#include "nacre/montecarlo/reference.h"
 #include "nacre/montecarlo/shell_walk.h"
 #include "nacre/paint/parameter_correlation.h"
 #include "nacre/paint/parameter_deviation.h"
@@ -70,6 +72,7 @@ using measure::MerlSettings;
 using measure::RglSettings;
 using measure::SparkleCamera;
 using measure::Viewing;
+using montecarlo::Direction;
 using spectra::Illuminant;
 using spectra::Observer;
 
@@ -216,6 +219,13 @@ using measure::kDefaultGeometries;
 /// @throws DomainError if it is none of these; InputError if the file is wrong
 std::vector<Geometry> geometries(const std::string& text);
 
+/// How a BRDF is estimated by random walks.
+struct ReferenceSettings {
+    /// Vacuum wavelengths, nm. Empty: 400 to 700 by 10.
+    std::vector<double> wavelengths_nm = {};
+    montecarlo::ReferenceSettings walks = {};
+};
+
 /// The bytes of a file, and its error against the values that it was made from.
 struct Exported {
     std::string bytes;
@@ -240,8 +250,10 @@ enum class MaterialFormat { gltf, materialx, cycles };
 
 /// The paint's own model as a shader, for a program that takes one.
 struct ShaderMaterial {
-    std::string bytes;  ///< of the file
-    /// From the paint by `nacre`, at exchange::shader_geometries() under D65 for 2 degrees.
+    std::string bytes;     ///< of the file
+    std::string model;     ///< that the shader shows
+    std::string standard;  ///< the model by which the paint is seen that the difference is from
+    /// From the paint at exchange::shader_geometries() under D65 for 2 degrees.
     measure::Difference difference;
 
     /// Whole or not at all. @throws InputError, Error as core/file.h
@@ -266,9 +278,6 @@ struct RecipeText;  // io/recipe_text.h
 }
 
 using FitSettings = fit::FitOptions;
-/// Whether a fit sees paints as this model shows them, with its hot spot
-/// (fit::TargetOptions::hot_spot); by the equation of transfer for every other model.
-bool shows_hot_spot(const Model& model);
 struct Match;
 
 using fit::Uncertainty;
@@ -288,6 +297,12 @@ struct UncertaintySettings {
 bool has_uncertainty(const Model& model);
 
 class Paint;
+/// A paint that is fitted to a standard's colours is seen by the model that saw the standard, or, where
+/// that cannot be (Capabilities::fitted), by the equation of transfer; but if the standard was measured,
+/// no model saw it, and such a model would have no part in the fit at all.
+/// @throws SettingError naming the model, the standard and the models that are possible then
+void require_part_in_fit(const Model& model, const Paint& standard);
+
 Paint open_text(std::string bytes, const std::string& name, const References& references,
                 const std::string& sample);
 
@@ -393,6 +408,17 @@ class Paint {
     Readings measure(const std::vector<Geometry>& geometries = {},
                      const MeasureSettings& settings = {}, const Progress& progress = {}) const;
 
+    /// The BRDF by a random walk through the recipe that is independent of the solver
+    /// (docs/reference.md): a check of everything else that gives values.
+    /// @return  in 1/sr, [incident][outgoing][wavelength], row-major, with standard errors
+    /// @throws SettingError naming incident, outgoing, wavelength or samples where it is out of range;
+    ///         InputError as recipe(), or naming the file where light cannot be followed through the
+    ///         recipe; Error as montecarlo::reference_brdf()
+    std::vector<Estimate> reference(std::span<const Direction> incident,
+                                    std::span<const Direction> outgoing,
+                                    const ReferenceSettings& settings = {},
+                                    const Progress& progress = {}) const;
+
     /// How far those readings are spread if numbers of the recipe are known to standard deviations
     /// only: the paint is solved anew beside each of them (docs/uncertainty.md).
     /// @param settings  the model must be one of values, not of estimates
@@ -420,11 +446,11 @@ class Paint {
     /// @throws InputError, DomainError, Error as measure(); Error as exchange::fit_material()
     FittedMaterial export_material(MaterialFormat format, const BrdfSettings& settings = {},
                                    const Progress& progress = {}) const;
-    /// An ES module with a material of three.js that shows the mean of `nacre`, or `microflake`, by a
-    /// shader.
-    /// @param model  none: nacre
-    /// @throws InputError as recipe(), or what bsdf::nacre_arrays() refuses of it; SettingError if it is
-    ///         another model, or renders from tables; DomainError as exchange::make_webgl_shader()
+    /// An ES module with a material of three.js that shows the mean of a model by a shader.
+    /// @param model  one of bsdf::Model::makes_arrays(); none: models::default_picture_model()
+    /// @throws InputError as recipe(), or what bsdf::Model::make_arrays() refuses of it; SettingError if
+    ///         it is another model, or renders from tables; DomainError as
+    ///         exchange::make_webgl_shader()
     ShaderMaterial export_threejs(const std::optional<Model>& model = {},
                                   const Progress& progress = {}) const;
     /// What such shaders, and renderers with programs of their own, compute the paint from.

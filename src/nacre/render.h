@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -48,6 +49,8 @@ struct ScenePaints {
     /// tables models::default_model(), which they hold. Its specimen is that of the scene's description
     /// unless it has another than 0.
     std::optional<Model> model = {};
+    /// Unless 0, in place of the model's own, also where that is none.
+    std::uint64_t specimen = 0;
 };
 
 struct Picture {
@@ -86,7 +89,8 @@ class Scene {
     const std::map<std::string, std::string>& model_settings() const { return model_settings_; }
     /// SHA-256 of all that is seen, whatever its files are called: shards of one picture have the same.
     const std::string& sha256() const { return sha256_; }
-    /// The model's name, or "measured" where no recipe is seen.
+    /// The name of the model that shows its recipes, or where there are none its tables; "measured" where
+    /// there is neither.
     const std::string& model_name() const { return model_name_; }
     /// Whether a model shows any of the paints: not where all are measured, or there are none.
     bool shows_model() const { return shows_model_; }

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from nacre import Error, Model, Paint, geometry_sets, scene_names
+from nacre import Error, Model, Paint, geometry_sets, model_names, scene_names
 
 from .table import Table, is_number
 
@@ -157,7 +157,7 @@ def read_settings(table: Table | None) -> Settings:
         raise table.wrong("geometries", geometries, "a set or a list of sets")
     settings = Settings(
         tuple(geometries),
-        table.text("model", "microflake"),
+        table.text("model", model_names()[0]),
         table.text("illuminant", "D65"),
         str(table.take("observer", "10")),
         _sparkle(table.table("sparkle")),

@@ -20,7 +20,6 @@ from ._microflake import DirectionTables, MeanFlakes, Microflake, Pair
 from ._patch import Footprint
 from ._sampling import Sampling
 
-MODELS = ("nacre", "microflake")
 DEFAULT_BANDS = 16
 FLAKES = 0.85
 """Of the probability of flakes' lobe, what goes to single flakes where all are resolved."""
@@ -57,6 +56,20 @@ def _switch(props: Any, name: str, otherwise: bool) -> bool:
     if not isinstance(value, bool):
         raise SettingError(f"{name} = {value}: must be true or false", setting=name)
     return value
+
+
+def _model_of(props: Any) -> Model:
+    """One of the models that can be told in arrays, with its switches."""
+    names = _nacre.models_with_arrays()
+    name = str(props.get("model", _nacre.default_picture_model()))
+    if name not in names:
+        raise SettingError(f"model = {name}: must be {' or '.join(names)}", setting="model")
+    options: dict[str, bool | int] = {
+        key: _switch(props, key, default) for key, default in _nacre.model_switches(name).items()
+    }
+    if Model(name)._model.shows_flakes():
+        options["specimen"] = _whole(props, "specimen", 0)
+    return Model(name, **options)
 
 
 def random_bits(u: Any) -> Any:
@@ -118,9 +131,11 @@ def make_plugin() -> Any:
             ``nacre`` (the default), which shows single flakes where a camera is attached
             (:func:`nacre.mitsuba.attach`), else their mean; or ``microflake``.
         specimen
-            Which panel of the batch: the same number shows the same flakes as in Nacre.
-        hot_spot
-            Of the model ``nacre``: light finds gaps between large flakes again on its way out.
+            Of a model that shows single flakes. Which panel of the batch: the same number shows the
+            same flakes as in Nacre.
+        hot_spot, ...
+            The switches of the model: of ``nacre``, light finds gaps between large flakes again on
+            its way out.
         footprint
             Sides of the patch of flakes that a sample shows, in pixels; 0, the default: so that the
             samples share out the pixel.
@@ -138,19 +153,7 @@ def make_plugin() -> Any:
         def __init__(self, props: Any) -> None:
             mi.BSDF.__init__(self, props)
             self.paint = _paint_of(props)
-            name = str(props.get("model", MODELS[0]))
-            if name not in MODELS:
-                raise SettingError(
-                    f"model = {name}: must be {' or '.join(MODELS)}", setting="model"
-                )
-            if name == "nacre":
-                self.model = Model(
-                    name,
-                    specimen=_whole(props, "specimen", 0),
-                    hot_spot=_switch(props, "hot_spot", True),
-                )
-            else:
-                self.model = Model(name)
+            self.model = _model_of(props)
             self.footprint = float(props.get("footprint", 0.0))
             if not 0 <= self.footprint <= 1e4:
                 raise SettingError(
@@ -239,7 +242,8 @@ def make_plugin() -> Any:
             self.table_bands = Bands(base["wavelengths_nm"], self.bands)
             self.smooth = Microflake(source, self.table_bands)
             self.sampling = Sampling(base)
-            self.sparkle = SparkleModel(self.smooth, source) if self.model.name == "nacre" else None
+            flakes = self.model._model.shows_flakes()
+            self.sparkle = SparkleModel(self.smooth, source) if flakes else None
             self.mean = self.sparkle.mean if self.sparkle else MeanFlakes()
 
         def _has_more_tables(self, paint: Paint, key: str, value: float) -> bool:

@@ -226,14 +226,14 @@ void write_shader(const ExportOptions& options, const Paint& paint,
     write_chips(options, shader_chips(paint.name(), made));
     emit(options, made.bytes);
     say_by_angle(options, made.difference);
-    say(options,
-        fmt::format("{}: {} bytes; the model's own shader. Delta E 2000 from nacre, mean and "
-                    "greatest: {:.1f}, {:.1f}. Side by side: {}",
-                    options.output, made.bytes.size(), made.difference.mean_delta_e_2000,
-                    made.difference.max_delta_e_2000, chips_name(options)));
+    say(options, fmt::format("{}: {} bytes; the model's own shader. Delta E 2000 from {}, mean and "
+                             "greatest: {:.1f}, {:.1f}. Side by side: {}",
+                             options.output, made.bytes.size(), made.standard,
+                             made.difference.mean_delta_e_2000, made.difference.max_delta_e_2000,
+                             chips_name(options)));
     nlohmann::json report =
         export_report(options, paint, "three.js", made.bytes.size(), watch.seconds());
-    report["model"] = model.value_or(NacreModel{}).info().name;
+    report["model"] = made.model;
     report["chips"] = chips_name(options);
     report["differences"] = {{"all", difference_json(made.difference)}};
     write_report(options, "export", report);
@@ -255,10 +255,7 @@ ExitStatus run(const ExportOptions& options) {
     if (fitted) {
         write_material(options, paint, settings, *fitted);
     } else if (format == ExportFormat::threejs) {
-        // Not the default for values, but that of pictures.
-        const bool chosen =
-            options.model.model_given || (settings.model && settings.model->makes_table());
-        write_shader(options, paint, chosen ? settings.model : std::nullopt);
+        write_shader(options, paint, chosen_model(options.model));
     } else {
         write_table(options, paint, settings, format == ExportFormat::rgl);
     }
@@ -301,12 +298,12 @@ Command add_export(CLI::App& program) {
     only(command->add_option("--resolution", options->rgl.resolution,
                              ".bsdf: points per side for each incidence"),
          options->only_rgl)
-        ->check(in_range(4, 512))
+        ->check(in_range<int>(measure::RglSettings::kResolutionRange))
         ->capture_default_str();
     only(command->add_option("--incidences", options->rgl.incident,
                              ".bsdf: polar angles of incidence, 0 to 89 deg, closest near grazing"),
          options->only_rgl)
-        ->check(in_range(2, 256))
+        ->check(in_range<int>(measure::RglSettings::kIncidentRange))
         ->capture_default_str();
     only(command->add_flag("--rgb", options->rgl.rgb,
                            ".bsdf: linear Rec. 709 instead of spectra, for renderers in RGB"),

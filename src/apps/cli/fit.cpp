@@ -97,17 +97,6 @@ void add_lights(const FitOptions& options, const measure::Measurement& standard,
     }
 }
 
-/// Refuses a model that sees neither the standard nor the paint that is sought.
-void check_model(const FitOptions& options, const Paint& standard) {
-    if (!options.model.model_given || !standard.is_measured()) return;
-    const bsdf::ModelInfo* model = &parse_model(options.model);
-    const bsdf::ModelInfo *sharp = &NacreModel::info, *smooth = &MicroflakeModel::info;
-    if (model == sharp || model == smooth) return;
-    throw UsageError(fmt::format(
-        "--model = {}: {} is measured, and the paint that is sought is seen by {} or {}",
-        model->name, options.standard, sharp->name, smooth->name));
-}
-
 /// The standard as it is measured or, of a paint, seen by the instrument.
 Measurement wanted_of(const FitOptions& options, const Paint& standard,
                       InstrumentRequest& instrument) {
@@ -243,12 +232,13 @@ ExitStatus run(const FitOptions& options) {
     FitSettings how = parse(options);
     InstrumentRequest instrument = parse_instrument(options.instrument);
     instrument.settings.seed = options.seed;
-    how.target.hot_spot = shows_hot_spot(parse_model_settings(options.model));
+    const Model model = parse_model_settings(options.model);
+    how.target.hot_spot = model.shows_hot_spot();
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const std::optional<Start> start = open_start(options, how);
     const Paint standard = open_input(options, options.standard);
-    check_model(options, standard);
+    require_part_in_fit(model, standard);
     const Measurement wanted = wanted_of(options, standard, instrument);
     say_warnings(options, standard);
     add_lights(options, wanted, how.target);

@@ -185,10 +185,19 @@ std::vector<std::string> solution_flags() {
     return flags;
 }
 
-bool asks_for_table(const ModelOptions& options) {
-    return std::ranges::any_of(all_options(), [&](const Owned& owned) {
-        return owned.option->of_solution && value_of(options, owned) != default_text(owned);
-    });
+void choose_by_table(ModelOptions& options) {
+    if (options.model_given) return;
+    for (const Owned& owned : all_options()) {
+        if (!owned.option->of_solution || value_of(options, owned) == default_text(owned)) continue;
+        options.model = owned.model->name;
+    }
+}
+
+std::optional<Model> chosen_model(const ModelOptions& options) {
+    ModelOptions without_specimen = options;
+    without_specimen.specimen = 0;
+    if (!choice_of_any(without_specimen)) return std::nullopt;
+    return parse_model_settings(options);
 }
 
 std::optional<std::string> choice_of_any(const ModelOptions& options) {

@@ -41,13 +41,19 @@ const bsdf::ModelInfo& parse_model(const ModelOptions& options);
 /// @throws UsageError if a choice was made that the model does not know
 bsdf::Model parse_model_settings(const ModelOptions& options);
 
+/// The same if --model, or any option of a model but --specimen, was given; none leaves the choice to
+/// what is done with the paint.
+/// @throws UsageError as parse_model_settings()
+std::optional<bsdf::Model> chosen_model(const ModelOptions& options);
+
 /// What the command line said to choose this model, as in "--model = volume".
 std::string choice_of(const bsdf::ModelInfo& model);
 
 /// The options of models that say in which form a solution is kept.
 std::vector<std::string> solution_flags();
-/// Whether one of these options was given another value than its default.
-bool asks_for_table(const ModelOptions& options);
+/// Without --model, chooses the model that has such an option where one was given another value than its
+/// default.
+void choose_by_table(ModelOptions& options);
 /// What the command line said about models, as in "--no-hot-spot"; none if it said nothing.
 std::optional<std::string> choice_of_any(const ModelOptions& options);
 /// What the command line said to have a model make a table, as in "--table = svd".

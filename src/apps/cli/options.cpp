@@ -231,7 +231,6 @@ std::vector<double> parse_numbers(std::string_view option, std::string_view text
 
 namespace {
 
-constexpr Range kTheta{0, 90, "deg", false, true};
 constexpr Range kPhi{-360, 360, "deg"};
 
 }  // namespace
@@ -245,7 +244,8 @@ std::vector<Direction> parse_directions(const std::string& option,
             throw UsageError(
                 fmt::format("{} = {}: must be theta or theta,phi in degrees", option, text));
         }
-        const std::vector<double> thetas = parse_numbers(option + " (theta)", parts[0], kTheta);
+        const std::vector<double> thetas =
+            parse_numbers(option + " (theta)", parts[0], kPolarAngleRange);
         const std::vector<double> phis = parts.size() == 2
                                              ? parse_numbers(option + " (phi)", parts[1], kPhi)
                                              : std::vector<double>{0.0};

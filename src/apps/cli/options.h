@@ -81,6 +81,12 @@ CLI::Validator in_range(T lo, T hi) {
         fmt::format("{} in [{} - {}]", CLI::detail::type_name<T>(), lo, hi));
 }
 
+/// The same of a range with closed ends.
+template <class T = double>
+CLI::Validator in_range(const Range& range) {
+    return in_range(static_cast<T>(range.lo), static_cast<T>(range.hi));
+}
+
 /// Wall-clock time since it was made.
 class Stopwatch {
  public:

@@ -1,5 +1,3 @@
-#include "nacre/montecarlo/reference.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -12,7 +10,6 @@
 #include "apps/cli/paint_options.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
-#include "nacre/io/recipe_file.h"
 #include "nacre/nacre.h"
 #include "nacre/paint/recipe.h"
 
@@ -38,18 +35,14 @@ ExitStatus run(const ReferenceOptions& options) {
     if (rows > kMaxRows) {
         throw UsageError(fmt::format("{} rows are too many: at most {}", rows, kMaxRows));
     }
-    const paint::Recipe recipe = open_paint(options, options.recipe).recipe();
-    std::vector<Estimate> estimates;
-    {
+    const Paint paint = open_paint(options, options.recipe);
+    const std::vector<Estimate> estimates = [&] {
         ProgressBar bar("reference", options.quiet);
-        try {
-            estimates = montecarlo::reference_brdf(
-                recipe, incident, outgoing, wavelengths,
-                {options.samples, options.seed, parse_part(options.part)}, bar.callback());
-        } catch (const DomainError& error) {  // the options have been checked: it is the recipe
-            throw InputError(fmt::format("{}: {}", options.recipe, error.what()));
-        }
-    }
+        return paint.reference(
+            incident, outgoing,
+            {wavelengths, {options.samples, options.seed, parse_part(options.part)}},
+            bar.callback());
+    }();
     std::string table = "theta_i,phi_i,theta_o,phi_o,wavelength_nm,brdf,stderr\n";
     std::size_t row = 0;
     for (const Direction& in : incident) {
@@ -65,7 +58,7 @@ ExitStatus run(const ReferenceOptions& options) {
     emit_table(options, table);
     write_report(options, "reference",
                  {{"recipe", options.recipe},
-                  {"recipe_sha256", io::recipe_hash(recipe)},
+                  {"recipe_sha256", paint.recipe_sha256()},
                   {"samples", options.samples},
                   {"seed", options.seed},
                   {"part", options.part},
@@ -84,7 +77,7 @@ Command add_reference(CLI::App& program) {
     command->add_option("--wavelength", options->wavelengths, "Vacuum wavelengths, nm")
         ->capture_default_str();
     command->add_option("--samples", options->samples, "Walks per incident direction")
-        ->check(in_range(std::uint64_t{2}, std::uint64_t{1'000'000'000'000'000}))
+        ->check(in_range<std::uint64_t>(montecarlo::ReferenceSettings::kSamplesRange))
         ->capture_default_str();
     add_table_output(*command, *options);
     add_seed(*command, *options);

@@ -71,21 +71,18 @@ Painted painted(const RenderCommandOptions& options) {
         find_scene(options.scene, references_of(options, options.scene));
     for (const std::string& note : description.notes) warn(options, note);
     std::optional<Paint> slot = paint_for_slots(description, options, std::move(brdf));
-    ModelOptions chosen = options.model;
-    if (!chosen.model_given && slot && slot->kind() == Kind::brdf_table) {
-        chosen.model = models::default_model().info().name;  // the one that tables are made of
-    }
-    return {std::move(description), {std::move(slot), parse_model_settings(chosen)}};
+    return {std::move(description),
+            {std::move(slot), chosen_model(options.model), options.model.specimen}};
 }
 
 Scene scene_of(const RenderCommandOptions& options, Painted painted) {
-    const bsdf::Model& model = *painted.paints.model;
-    ProgressBar bar("prepare", options.quiet || !model.makes_table());
+    const std::optional<bsdf::Model> model = painted.paints.model;
+    ProgressBar bar("prepare", options.quiet || !model || !model->makes_table());
     try {
         return Scene(std::move(painted.description), painted.paints, bar.callback());
     } catch (const SettingError& error) {  // where the model does not go
-        if (error.setting() != "model") throw;
-        throw UsageError(fmt::format("{}: {}", choice_of(model.info()), error.reason()));
+        if (error.setting() != "model" || !model) throw;
+        throw UsageError(fmt::format("{}: {}", choice_of(model->info()), error.reason()));
     }
 }
 
@@ -265,9 +262,7 @@ ExitStatus render_frames(RenderCommandOptions options, const Painted& start,
 }
 
 ExitStatus run(RenderCommandOptions options) {
-    if (!options.model.model_given && asks_for_table(options.model)) {
-        options.model.model = models::default_model().info().name;  // the one that makes tables
-    }
+    choose_by_table(options.model);
     parse_model_settings(options.model);  // before any work
     check_choices(options);
     parse_size(options.size, options.render);

@@ -47,7 +47,7 @@ void add_render_options(CLI::App& command, RenderCommandOptions& options) {
                     fmt::format("{}: side of a patch that each sample shows, pixels, for "
                                 "experiments; 0: the samples share out what the pixel shows",
                                 fmt::join(sparkling_models(), ", ")))
-        ->check(in_range(0.0, 1000.0))
+        ->check(in_range(render::kFootprintRange))
         ->capture_default_str();
     command.add_flag("--sparkle", options.render.sparkle,
                      "Keep the light of single flakes apart as well, in the EXR's channels "
@@ -56,12 +56,12 @@ void add_render_options(CLI::App& command, RenderCommandOptions& options) {
         .add_option("--spp", options.spp,
                     fmt::format("Samples per pixel [{}]; with --noise at most [{}]",
                                 options.render.samples_per_pixel, kMaxSamplesForNoise))
-        ->check(in_range(1, 1 << 24));
+        ->check(in_range<int>(render::kSamplesPerPixelRange));
     command
         .add_option("--noise", options.noise,
                     "Take as many samples as this noise needs: the standard error of a pixel over "
                     "the mean luminance, as 0.01")
-        ->check(in_range(render::kNoiseRange.lo, render::kNoiseRange.hi));
+        ->check(in_range(render::kNoiseRange));
     command.add_option("--frames", options.frames,
                        "Render frames FIRST:LAST, as 0:35, to files numbered out.0000.exr ...");
     command
@@ -83,12 +83,12 @@ void add_render_options(CLI::App& command, RenderCommandOptions& options) {
         ->capture_default_str();
     command.add_option("--size", options.size, "Pixels as WIDTHxHEIGHT")->capture_default_str();
     command.add_option("--depth", options.render.max_depth, "Surface reflections along a path")
-        ->check(in_range(1, 1000))
+        ->check(in_range<int>(render::kMaxDepthRange))
         ->capture_default_str();
     command
         .add_option("--spectral-bins", options.render.spectral_bins,
                     "Spectral channels over 400 to 700 nm in the EXR; 0: none")
-        ->check(in_range(0, 300))
+        ->check(in_range<int>(render::kSpectralBinsRange))
         ->capture_default_str();
     command
         .add_option("--shard", options.shard_text,

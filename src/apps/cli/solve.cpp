@@ -110,7 +110,7 @@ Command add_solve(CLI::App& program) {
     solve
         ->add_option("--tolerance", options->settings.tolerance,
                      "Share of the peak below which the Fourier series may end")
-        ->check(in_range(1e-9, 0.1))
+        ->check(in_range(solver::SolverSettings::kToleranceRange))
         ->capture_default_str();
     add_solution_options(*solve, options->model);
     add_input_options(*solve, *options);

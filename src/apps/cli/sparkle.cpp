@@ -163,10 +163,11 @@ measure::PanelPicture mean_of(const std::vector<measure::PanelPicture>& halves) 
 }
 
 std::vector<double> parse_lamps(const SparkleOptions& options) {
-    std::vector<double> lamps_deg = parse_numbers("--lamp", options.lamps, {0, 85, "deg"});
-    if (lamps_deg.size() > 16) {
-        throw UsageError(
-            fmt::format("--lamp: {} lamps are too many: at most 16", lamps_deg.size()));
+    std::vector<double> lamps_deg =
+        parse_numbers("--lamp", options.lamps, SparkleCamera::kLampRange);
+    if (lamps_deg.size() > SparkleCamera::kMaxLamps) {
+        throw UsageError(fmt::format("--lamp: {} lamps are too many: at most {}", lamps_deg.size(),
+                                     SparkleCamera::kMaxLamps));
     }
     return lamps_deg;
 }

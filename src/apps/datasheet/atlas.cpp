@@ -12,6 +12,7 @@
 #include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/measure/instrument.h"
+#include "nacre/nacre.h"
 #include "nacre/paint/recipe.h"
 #include "nacre/paint/recipe_parameter.h"
 #include "nacre/spectra/observer.h"
@@ -187,14 +188,14 @@ Atlas recipe_atlas(const paint::Recipe& recipe, const std::string& key,
     require_cells(values.size(), geometries.size());
     if (!read) {
         read = [&](const paint::Recipe& changed, const Progress& callback) {
-            const solver::SolvedPaint paint =
-                solver::solve(changed, wavelengths_nm, {}, nullptr, callback);
-            return measure::measure(
-                changed.name,
-                [&](double theta_i, double theta_o, double phi) {
-                    return paint.brdf(theta_i, theta_o, phi);
-                },
-                wavelengths_nm, geometries, conditions, callback);
+            return Paint(changed)
+                .measure(geometries,
+                         {.illuminant = conditions.illuminant,
+                          .observer = conditions.observer,
+                          .aperture = conditions.aperture,
+                          .wavelengths_nm = wavelengths_nm},
+                         callback)
+                .measurement;
         };
     }
     // All values are checked before the first is solved.

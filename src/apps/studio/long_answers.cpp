@@ -86,7 +86,9 @@ Tree sparkle_json(const SparkleReadings& sparkle) {
 }
 
 Model sparkling_model(double specimen) {
-    return NacreModel{.specimen = static_cast<std::uint64_t>(specimen)};
+    Model model = models::default_picture_model();
+    model.set_specimen(static_cast<std::uint64_t>(specimen));
+    return model;
 }
 
 /// One composition that a fit found.
@@ -139,7 +141,7 @@ Frames answer(const FitRequest& request, const Context& context) {
     FitSettings settings;
     settings.starts = request.starts;
     const Model model = models::named_model(request.model);
-    settings.target.hot_spot = shows_hot_spot(model);
+    settings.target.hot_spot = model.shows_hot_spot();
     const Measurement wanted =
         standard->measure({}, {.model = model}, context.progress).measurement;
     const fit::FreeKeys free = named.paint.free_keys(request.free, settings, teller.part(0, 0.02));

@@ -90,7 +90,7 @@ TEST(StudioReadingModels, FitsSeePaintsByIt) {
         EXPECT_EQ(found["model"], model.name);
         FitSettings settings;
         settings.starts = 1;
-        settings.target.hot_spot = shows_hot_spot(models::named_model(model.name));
+        settings.target.hot_spot = models::named_model(model.name).shows_hot_spot();
         const Match match = start.fit(open_text(csv, "standard.csv").measure().measurement,
                                       {start.whole_key("alpha")}, settings);
         const Tree& best = found["matches"][0];

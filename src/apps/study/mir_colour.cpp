@@ -12,10 +12,9 @@
 #include "nacre/bsdf/models/special_effect.h"
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
-#include "nacre/io/recipe_file.h"
 #include "nacre/measure/instrument.h"
 #include "nacre/models/spectral_brdf.h"
-#include "nacre/solver/solver.h"
+#include "nacre/nacre.h"
 #include "nacre/spectra/spectrum.h"
 
 namespace nacre::study {
@@ -29,13 +28,8 @@ double ColourByAngle::saturation(std::size_t i) const {
 }
 
 ColourByAngle colour_by_angle(const std::string& file, const bsdf::Model& model) {
-    bsdf::ModelInput paint{.recipe = io::read_recipe(shipped_file(file))};
     const std::vector<double> wavelengths = spectra::default_wavelengths_nm();
-    if (model.info().solution != bsdf::Solution::none) {
-        paint.solved = std::make_shared<const solver::SolvedPaint>(
-            solver::solve(paint.recipe, wavelengths, {}));
-    }
-    const auto surface = model.make(paint);
+    const auto surface = open(shipped_file(file)).appearance(model);
     const models::SpectralBrdf brdf(*surface, wavelengths);
     std::vector<measure::Geometry> geometries;
     for (int a = 0; a <= 110; a += 5) geometries.push_back(measure::in_plane(45, a));

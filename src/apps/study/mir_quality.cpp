@@ -17,8 +17,7 @@
 #include "nacre/io/image_difference.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/montecarlo/discs/disc.h"
-#include "nacre/solver/solver.h"
-#include "nacre/spectra/spectrum.h"
+#include "nacre/nacre.h"
 
 // What a user pays: the time to a picture of a given quality, with what is computed beforehand, and
 // what one query of each model costs.
@@ -156,13 +155,7 @@ QueriedSurface asked_of(const Group& group, const Subject& subject, int queries,
     if (recipe.microfacet && recipe.microfacet->facets) {
         recipe.microfacet->facets->count = printed::kFacetCounts[2];
     }
-    bsdf::ModelInput input{.recipe = recipe};
-    if (subject.model.info().solution != bsdf::Solution::none) {
-        input.solved = std::make_shared<const solver::SolvedPaint>(
-            solver::solve(recipe, spectra::default_wavelengths_nm(), {}, nullptr, progress));
-        input.table = subject.model.make_table(*input.solved, progress);
-    }
-    QueriedSurface asked{subject.model.make(input, progress), {}};
+    QueriedSurface asked{Paint(recipe).appearance(subject.model, {}, progress), {}};
     if (!asked.surface->varies_over_surface()) return asked;
     constexpr double kUmPerMm = 1e3;
     const double area_mm2 = recipe.layers.empty() ? 1

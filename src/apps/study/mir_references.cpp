@@ -17,12 +17,11 @@
 #include "nacre/io/described_toml.h"
 #include "nacre/io/image_difference.h"
 #include "nacre/io/recipe_file.h"
+#include "nacre/nacre.h"
 #include "nacre/render/builtin_scenes.h"
 #include "nacre/render/environment.h"
 #include "nacre/render/render_image.h"
 #include "nacre/render/scene_description.h"
-#include "nacre/solver/solver.h"
-#include "nacre/spectra/spectrum.h"
 
 namespace nacre::study {
 namespace {
@@ -121,12 +120,8 @@ void write_reference(const MirSettings& settings, const ReferencePicture& refere
     const render::SceneDescription scene = scene_with(std::string(reference.name) + ".toml");
     std::vector<io::Image> batches;
     stage(fmt::format("reference: {}", reference.name), [&](const Progress& progress) {
-        bsdf::ModelInput input{.recipe = recipe};
-        if (reference.model.info().solution != bsdf::Solution::none) {
-            input.solved = std::make_shared<const solver::SolvedPaint>(
-                solver::solve(recipe, spectra::default_wavelengths_nm(), {}, nullptr, progress));
-        }
-        const render::Scene compiled(scene, {{"paint", reference.model.make(input, progress)}});
+        const render::Scene compiled(
+            scene, {{"paint", Paint(recipe).appearance(reference.model, {}, progress)}});
         render::RenderOptions options;
         options.width = options.height = settings.size;
         options.samples_per_pixel = std::max(1, 4 * settings.samples / kReferenceBatches);

@@ -19,13 +19,6 @@ namespace {
 constexpr Range kPlace_mm{-1e4, 1e4, "mm"}, kSide_mm{0, 1e4, "mm", true};
 constexpr Range kPlaceFraction{0, 1}, kSideFraction{0, 1, "", true};
 
-void require(const Range& range, const char* setting, double value) {
-    if (!range.contains(value)) {
-        throw SettingError(setting, "must be a number in " + range.text(),
-                           fmt::format("{}", value));
-    }
-}
-
 /// The model that renders from tables.
 std::string_view name_of_tabulated() {
     for (const bsdf::ModelInfo* info : models::all_models()) {
@@ -90,6 +83,13 @@ measure::Brdf solved_values(std::shared_ptr<const solver::SolvedPaint> paint,
 
 }  // namespace
 
+void require_setting(const char* setting, const Range& range, double value) {
+    if (!range.contains(value)) {
+        throw SettingError(setting, "must be a number in " + range.text(),
+                           fmt::format("{}", value));
+    }
+}
+
 Range PaintBrdf::place_range() const {
     return coordinates_ == bsdf::SurfaceCoordinates::object_space ? kPlace_mm : kPlaceFraction;
 }
@@ -100,9 +100,9 @@ Range PaintBrdf::side_range() const {
 
 PaintBrdf PaintBrdf::on(double x, double y, double side) const {
     if (!values_on_) throw SettingError("patch", "the surface is alike everywhere");
-    require(place_range(), "x", x);
-    require(place_range(), "y", y);
-    require(side_range(), "side", side);
+    require_setting("x", place_range(), x);
+    require_setting("y", place_range(), y);
+    require_setting("side", side_range(), side);
     const auto edge = static_cast<float>(side);
     PaintBrdf on_patch = *this;
     on_patch.values_ = values_on_(coordinates_ == bsdf::SurfaceCoordinates::object_space
@@ -200,13 +200,12 @@ PaintBrdf Paint::brdf(const BrdfSettings& settings, const Progress& progress) co
     }
     if (brdf.wavelengths_nm_.empty()) brdf.wavelengths_nm_ = spectra::default_wavelengths_nm();
     // Few who ask for values ask for those of single flakes, which take most of the time.
-    const auto* nacre = measured || has_table ? nullptr : model.get<NacreModel>();
-    const bool alone = nacre && !settings.patches && !state_->cached_surface(model, solve);
+    const bool alone = !measured && !has_table && model.makes_mean() && !settings.patches &&
+                       !state_->cached_surface(model, solve);
     std::shared_ptr<const bsdf::Bsdf> look;
     if (alone) {
         const auto paint = solved(solve, cancel_only(progress));
-        look =
-            state_->naming_file([&] { return bsdf::Nacre::mean_alone(paint, *nacre, progress); });
+        look = state_->naming_file([&] { return model.make_mean(paint, progress); });
     } else {
         look = appearance(settings.model, solve, progress);
     }

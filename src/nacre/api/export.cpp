@@ -47,6 +47,17 @@ std::optional<double> mean_flake_um(const paint::Recipe& recipe) {
     return std::nullopt;
 }
 
+/// "nacre, or microflake without tables".
+std::string models_with_arrays() {
+    std::string names;
+    for (const std::string_view name : models::names_with_arrays()) {
+        if (!names.empty()) names += ", or ";
+        names += name;
+        if (models::find_model(name)->solution == bsdf::Solution::table) names += " without tables";
+    }
+    return names;
+}
+
 /// "Violet pearl, nacre", "brass.bsdf, measured".
 std::string title(const Paint& paint, const std::optional<Model>& model) {
     const std::string name = paint.has_recipe() && !paint.recipe().name.empty()
@@ -176,30 +187,28 @@ FittedMaterial Paint::export_material(MaterialFormat format, const BrdfSettings&
 
 bsdf::NacreArrays Paint::arrays(const Model& model, bsdf::ArrayParts parts,
                                 const Progress& progress) const {
-    if (const auto* nacre = model.get<NacreModel>()) {
-        const auto paint = solved({}, progress);
-        return state_->naming_file(
-            [&] { return bsdf::nacre_arrays(paint, *nacre, parts, progress); });
-    }
-    const auto* microflake = model.get<MicroflakeModel>();
-    if (!microflake || microflake->makes_table()) {
-        throw SettingError("model", "must be nacre, or microflake without tables", model.text());
+    if (!model.makes_arrays()) {
+        throw SettingError("model", fmt::format("must be {}", models_with_arrays()), model.text());
     }
     const auto paint = solved({}, progress);
-    return state_->naming_file([&] { return bsdf::microflake_arrays(paint, parts); });
+    return std::move(
+        *state_->naming_file([&] { return model.make_arrays(paint, parts, progress); }));
 }
 
 ShaderMaterial Paint::export_threejs(const std::optional<Model>& model,
                                      const Progress& progress) const {
-    const auto shader = exchange::make_webgl_shader(
-        arrays(model.value_or(NacreModel{}), bsdf::ArrayParts::all, progress));
+    const Model standard = models::default_picture_model(), shown = model.value_or(standard);
+    const auto shader = exchange::make_webgl_shader(arrays(shown, bsdf::ArrayParts::all, progress));
     const Readings paint = measure(
         exchange::shader_geometries(),
-        {.model = NacreModel{}, .illuminant = Illuminant::D65, .observer = Observer::cie1931_2deg},
+        {.model = standard, .illuminant = Illuminant::D65, .observer = Observer::cie1931_2deg},
         cancel_only(progress, 1));
     ShaderMaterial made;
+    made.model = shown.info().name;
+    made.standard = standard.info().name;
     made.difference = exchange::shader_difference(shader, paint.measurement);
-    made.bytes = exchange::threejs_text(shader, name(), recipe_sha256(), made.difference);
+    made.bytes =
+        exchange::threejs_text(shader, name(), recipe_sha256(), made.difference, made.standard);
     return made;
 }
 

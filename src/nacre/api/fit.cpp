@@ -1,14 +1,21 @@
 #include "nacre/fit/fit.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "nacre/api/state.h"
+#include "nacre/models/models.h"
 
 namespace nacre {
 
-bool shows_hot_spot(const Model& model) {
-    const auto* nacre = model.get<NacreModel>();
-    return nacre && nacre->hot_spot;
+void require_part_in_fit(const Model& model, const Paint& standard) {
+    if (model.info().can.fitted || !standard.is_measured()) return;
+    const auto possible =
+        models::names_where([](const bsdf::ModelInfo& known) { return known.can.fitted; });
+    throw SettingError("model",
+                       fmt::format("{} is measured, and the paint that is sought is seen by {}",
+                                   standard.file(), fmt::join(possible, " or ")),
+                       std::string(model.info().name));
 }
 
 fit::FreeKeys Paint::free_keys(const std::vector<std::string>& patterns,

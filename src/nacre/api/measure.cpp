@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numbers>
 
@@ -144,6 +145,15 @@ Readings estimated(const std::string& name, const paint::Recipe& recipe,
     return readings;
 }
 
+void require_directions(const char* setting, std::span<const Direction> directions) {
+    for (const Direction& d : directions) {
+        require_setting(setting, kPolarAngleRange, d.theta_deg);
+        if (!std::isfinite(d.phi_deg)) {
+            throw SettingError(setting, "must have a finite azimuth", fmt::format("{}", d.phi_deg));
+        }
+    }
+}
+
 }  // namespace
 
 std::string Readings::csv() const { return io::measurement_csv(measurement, standard_error); }
@@ -185,15 +195,37 @@ Readings Paint::measure(const std::vector<Geometry>& geometries, const MeasureSe
                              conditions_of(settings), progress)};
 }
 
+std::vector<Estimate> Paint::reference(std::span<const Direction> incident,
+                                       std::span<const Direction> outgoing,
+                                       const ReferenceSettings& settings,
+                                       const Progress& progress) const {
+    require_directions("incident", incident);
+    require_directions("outgoing", outgoing);
+    for (const double nm : settings.wavelengths_nm) {
+        require_setting("wavelength", paint::limits::kWavelength, nm);
+    }
+    require_setting("samples", montecarlo::ReferenceSettings::kSamplesRange,
+                    static_cast<double>(settings.walks.samples));
+    const paint::Recipe& walked = recipe();
+    // The settings have been checked: what is wrong now is the recipe.
+    return state_->naming_file([&] {
+        return montecarlo::reference_brdf(walked, incident, outgoing,
+                                          settings.wavelengths_nm.empty()
+                                              ? spectra::default_wavelengths_nm()
+                                              : settings.wavelengths_nm,
+                                          settings.walks, progress);
+    });
+}
+
 std::pair<Readings, Readings> measure_alike(const Paint& sample, const Paint& standard,
                                             const std::vector<Geometry>& geometries,
                                             const MeasureSettings& settings,
                                             const Progress& progress) {
     const auto is = [](const Paint& paint, Kind kind) { return paint.kind() == kind; };
-    // A measured BRDF leaves the model to the paint beside it.
+    // What is measured leaves the model to the paint beside it.
     const auto settings_for = [&](const Paint& paint, const Paint& other) {
         MeasureSettings own = settings;
-        if (is(paint, Kind::measured_brdf) && !is(other, Kind::measured_brdf)) own.model.reset();
+        if (paint.is_measured() && !other.is_measured()) own.model.reset();
         return own;
     };
     if (is(sample, Kind::measured_colours) == is(standard, Kind::measured_colours)) {

@@ -285,6 +285,19 @@ TEST(Appearance, RefusesWhatDoesNotFit) {
                 HasSubstr("the surface is alike everywhere"));
 }
 
+TEST(Appearance, AShaderShowsTheModelThatWasChosenOrThatOfPictures) {
+    const Paint paint(fit::testing::pearl());
+    const ShaderMaterial usual = paint.export_threejs(),
+                         smooth = paint.export_threejs(MicroflakeModel{});
+    EXPECT_EQ(usual.model, "nacre");
+    EXPECT_EQ(usual.standard, "nacre");
+    EXPECT_EQ(smooth.model, "microflake");
+    EXPECT_EQ(smooth.standard, "nacre");
+    EXPECT_THAT(usual.bytes, HasSubstr("the paint by the model nacre, in CIEDE2000"));
+    EXPECT_THAT(message_of<SettingError>([&] { paint.export_threejs(ThinFilmModel{}); }),
+                HasSubstr("must be nacre, or microflake without tables"));
+}
+
 TEST(Appearance, ValuesAreThoseOfTheSolutionOrAsRenderedWithinAPercent) {
     const Paint paint(fit::testing::pearl());
     const PaintBrdf exact = paint.brdf(), fast = paint.brdf({.as_rendered = true});
@@ -389,6 +402,48 @@ TEST(Measuring, WalksEstimateWhatTheSolverSays) {
     EXPECT_THROW(paint.measure(angles, walk, [](double) { return false; }), Error);
 }
 
+TEST(Reference, IsTheWalkThroughTheRecipe) {
+    const Paint paint(fit::testing::pearl());
+    const std::vector<Direction> lamps = {{45, 0}}, views = {{20, 180}, {70, 30}};
+    const ReferenceSettings settings{{450, 650}, {.samples = 1000, .seed = 3}};
+    const std::vector<Estimate> got = paint.reference(lamps, views, settings);
+    const std::vector<Estimate> want = montecarlo::reference_brdf(
+        paint.recipe(), lamps, views, settings.wavelengths_nm, settings.walks);
+    ASSERT_EQ(got.size(), 4u);
+    for (std::size_t i = 0; i < got.size(); ++i) {
+        EXPECT_EQ(got[i].value, want[i].value);
+        EXPECT_EQ(got[i].standard_error, want[i].standard_error);
+    }
+    EXPECT_EQ(paint.reference(lamps, views, {{}, {.samples = 2}}).size(), 2u * 31u);
+}
+
+TEST(Reference, SaysWhetherASettingIsWrongOrThePaint) {
+    const Paint paint(fit::testing::pearl());
+    const auto complaint = [&](const Paint& of, const Direction& lamp, const Direction& view,
+                               const ReferenceSettings& settings) {
+        return message_of<SettingError>(
+            [&] { of.reference(std::vector{lamp}, std::vector{view}, settings); });
+    };
+    const ReferenceSettings few{{550}, {.samples = 2}};
+    EXPECT_EQ(complaint(paint, {90, 0}, {20, 0}, few),
+              "incident = 90: must be a number in [0, 90) deg");
+    EXPECT_EQ(complaint(paint, {45, 0}, {-1, 0}, few),
+              "outgoing = -1: must be a number in [0, 90) deg");
+    EXPECT_THAT(complaint(paint, {45, 0}, {20, std::nan("")}, few),
+                HasSubstr("outgoing = nan: must have a finite azimuth"));
+    EXPECT_THAT(complaint(paint, {45, 0}, {20, 0}, {{-5}, {.samples = 2}}),
+                HasSubstr("wavelength = -5: must be a number in "));
+    EXPECT_THAT(complaint(paint, {45, 0}, {20, 0}, {{550}, {.samples = 1}}),
+                HasSubstr("samples = 1: must be a number in [2, "));
+    paint::Recipe facets = io::read_recipe(shipped_file("paints/tio2-mica-80.toml"));
+    facets.layers.clear();
+    const Paint none(facets);
+    const std::vector<Direction> up = {{0, 0}};
+    EXPECT_THAT(message_of<InputError>([&] { none.reference(up, up, few); }),
+                HasSubstr("recipe: layer: is missing; light is followed"));
+    EXPECT_THROW(paint.reference(up, up, few, [](double) { return false; }), Stopped);
+}
+
 TEST(Measuring, APaintIsReadAsTheColoursBesideItWere) {
     const Paint pearl(fit::testing::pearl());
     const Paint colours = open_text(
@@ -469,9 +524,20 @@ TEST(Fit, StopsWhenAskedTo) {
 }
 
 TEST(Fit, SeesTheHotSpotOfTheModelThatHasOne) {
-    EXPECT_TRUE(shows_hot_spot(NacreModel{.specimen = 2}));
-    EXPECT_FALSE(shows_hot_spot(NacreModel{.hot_spot = false}));
-    EXPECT_FALSE(shows_hot_spot(MicroflakeModel{}));
+    EXPECT_TRUE(Model(NacreModel{.specimen = 2}).shows_hot_spot());
+    EXPECT_FALSE(Model(NacreModel{.hot_spot = false}).shows_hot_spot());
+    EXPECT_FALSE(Model(MicroflakeModel{}).shows_hot_spot());
+}
+
+TEST(Fit, RefusesAModelThatHasNoPartInIt) {
+    const Paint pearl(fit::testing::pearl());
+    const Paint colours = open_text(pearl.measure(geometries("45as15")).csv(), "a.csv");
+    EXPECT_EQ(message_of<SettingError>([&] { require_part_in_fit(WalkModel{}, colours); }),
+              "model = walk: a.csv is measured, and the paint that is sought is seen by nacre or "
+              "microflake");
+    require_part_in_fit(NacreModel{}, colours);
+    require_part_in_fit(MicroflakeModel{}, colours);
+    require_part_in_fit(WalkModel{}, pearl);  // sees the standard
 }
 
 }  // namespace

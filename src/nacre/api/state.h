@@ -33,6 +33,9 @@ struct MeasuredColours {
 std::size_t wavelength_position(const solver::SolvedPaint& paint, double wavelength_nm,
                                 const std::string& file);
 
+/// @throws SettingError naming setting, value and range, unless the value is in it
+void require_setting(const char* setting, const Range& range, double value);
+
 /// Asks whether to go on, but reports nothing: before the work that `progress` is about, where
 /// `fraction` is 0, or after it, where it is 1.
 inline Progress cancel_only(const Progress& progress, double fraction = 0) {

@@ -107,7 +107,7 @@ Uncertainty Paint::measure_uncertainty(const std::vector<Geometry>& geometries,
         reader =
             fit::solution_reader(settings.wavelengths_nm.empty() ? spectra::default_wavelengths_nm()
                                                                  : settings.wavelengths_nm,
-                                 wanted, conditions, shows_hot_spot(model));
+                                 wanted, conditions, model.shows_hot_spot());
     }
     const auto naming_file = [&](const paint::Recipe& recipe, const solver::SolverSettings* like,
                                  SharedProgress& work) {

@@ -98,6 +98,25 @@ void Model::require_kind(const BrdfTable& table, const std::string& file) const 
     if (operations_->require_kind) operations_->require_kind(settings_, table, file);
 }
 
+std::shared_ptr<const Bsdf> Model::make_mean(std::shared_ptr<const solver::SolvedPaint> paint,
+                                             const Progress& progress) const {
+    return operations_->make_mean(settings_, std::move(paint), progress);
+}
+
+bool Model::makes_arrays() const {
+    return operations_->makes_arrays && operations_->makes_arrays(settings_);
+}
+
+std::shared_ptr<NacreArrays> Model::make_arrays(
+    const std::shared_ptr<const solver::SolvedPaint>& paint, ArrayParts parts,
+    const Progress& progress) const {
+    return operations_->make_arrays(settings_, paint, parts, progress);
+}
+
+bool Model::shows_hot_spot() const {
+    return operations_->shows_hot_spot && operations_->shows_hot_spot(settings_);
+}
+
 std::string Model::text() const {
     return fmt::format("{} {}", info().name, operations_->text(settings_));
 }

@@ -34,6 +34,12 @@
 //     std::optional<BrdfTable> make_table(const solver::SolvedPaint&, const Progress&) const;
 //     bool makes_table() const;
 //     void require_kind(const BrdfTable&, const std::string& file) const;
+//     std::shared_ptr<const Bsdf> make_mean(std::shared_ptr<const solver::SolvedPaint>,
+//                                           const Progress&) const;
+//     bool makes_arrays() const;
+//     std::shared_ptr<NacreArrays> make_arrays(const std::shared_ptr<const solver::SolvedPaint>&,
+//                                              ArrayParts, const Progress&) const;
+//     bool shows_hot_spot() const;
 //
 // which Model's members of the same name explain.
 
@@ -45,6 +51,8 @@ namespace nacre::bsdf {
 
 class Model;
 struct ModelInfo;
+struct NacreArrays;  // bsdf/models/nacre_arrays.h
+enum class ArrayParts;
 struct RawBrdfTable;
 struct CompressedBrdfTable;
 
@@ -63,6 +71,8 @@ struct Capabilities {
     bool estimated_values = false;
     /// Tells light that met one flake from what was scattered again (nacre::Part).
     bool parts = false;
+    /// Paints can be sought by their colours as it shows them (nacre/fit), with or without its hot spot.
+    bool fitted = false;
 };
 
 /// Which part of a recipe a model reads: layers, or [microfacet] without or with its facets.
@@ -184,6 +194,26 @@ class Model {
     /// @throws DomainError if another kind of table was chosen than this one
     void require_kind(const BrdfTable& table, const std::string& file) const;
 
+    /// Whether make_mean() can be called.
+    bool makes_mean() const { return operations_->make_mean; }
+    /// A surface for its mean alone, bit for bit that of make(), in a fraction of the time: only
+    /// BoundBsdf::eval() may be called, or where flakes lean bind_with_lean()'s.
+    /// @throws as make()
+    std::shared_ptr<const Bsdf> make_mean(std::shared_ptr<const solver::SolvedPaint> paint,
+                                          const Progress& progress = {}) const;
+
+    /// Whether make_arrays() can be called, by this model with these settings.
+    bool makes_arrays() const;
+    /// What programs that evaluate the model themselves compute it from; never null.
+    /// @throws DomainError, Error as make(); DomainError if the paint has what the arrays do not hold
+    std::shared_ptr<NacreArrays> make_arrays(
+        const std::shared_ptr<const solver::SolvedPaint>& paint, ArrayParts parts,
+        const Progress& progress = {}) const;
+
+    /// Whether its mean has the hot spot of large flakes (HotSpotTables), which the equation of
+    /// transfer does not know.
+    bool shows_hot_spot() const;
+
     /// The model's name and every setting, for records and fingerprints: alike for equal models
     /// alone.
     std::string text() const;
@@ -205,6 +235,14 @@ class Model {
         std::optional<BrdfTable> (*make_table)(const std::any&, const solver::SolvedPaint&,
                                                const Progress&);
         void (*require_kind)(const std::any&, const BrdfTable&, const std::string&);
+        std::shared_ptr<const Bsdf> (*make_mean)(const std::any&,
+                                                 std::shared_ptr<const solver::SolvedPaint>,
+                                                 const Progress&);
+        bool (*makes_arrays)(const std::any&);
+        std::shared_ptr<NacreArrays> (*make_arrays)(
+            const std::any&, const std::shared_ptr<const solver::SolvedPaint>&, ArrayParts,
+            const Progress&);
+        bool (*shows_hot_spot)(const std::any&);
     };
 
     template <class M>
@@ -243,6 +281,23 @@ class Model {
             };
             all.require_kind = [](const std::any& s, const BrdfTable& table,
                                   const std::string& file) { as<M>(s).require_kind(table, file); };
+        }
+        if constexpr (requires { &M::make_mean; }) {
+            all.make_mean = [](const std::any& s, std::shared_ptr<const solver::SolvedPaint> paint,
+                               const Progress& progress) {
+                return as<M>(s).make_mean(std::move(paint), progress);
+            };
+        }
+        if constexpr (requires { &M::make_arrays; }) {
+            all.makes_arrays = [](const std::any& s) { return as<M>(s).makes_arrays(); };
+            all.make_arrays = [](const std::any& s,
+                                 const std::shared_ptr<const solver::SolvedPaint>& paint,
+                                 ArrayParts parts, const Progress& progress) {
+                return as<M>(s).make_arrays(paint, parts, progress);
+            };
+        }
+        if constexpr (requires { &M::shows_hot_spot; }) {
+            all.shows_hot_spot = [](const std::any& s) { return as<M>(s).shows_hot_spot(); };
         }
         return all;
     }

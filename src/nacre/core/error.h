@@ -54,6 +54,11 @@ struct Range {
     std::string text() const;
 };
 
+/// The same of a range with closed ends. `what` names the unit as well.
+inline void require_in_range(double value, const Range& range, const char* what) {
+    require_in_range(value, range.lo, range.hi, what);
+}
+
 /// "; 3 % is 0.03", to append to the message about a value that is out of its range, where a
 /// fraction seems to have been written in per cent; else nothing.
 /// @param key  of the value: fractions, reflectance and transmittance are called so

@@ -24,22 +24,24 @@ using Json = nlohmann::ordered_json;
 double to_hundredths(double value) { return std::round(100 * value) / 100; }
 
 Json about(const std::string& name, const std::string& recipe_sha256,
-           const measure::Difference& difference) {
+           const measure::Difference& difference, const std::string& standard) {
     Json by_angle = Json::object(), chips = Json::object();
     for (const measure::AngleDifference& angle : difference.angles) {
         const measure::DisplayPair shown = measure::display_pair(angle);
         by_angle[angle.geometry.name] = to_hundredths(angle.delta_e_2000);
         chips[angle.geometry.name] = {shown.standard, shown.sample};
     }
-    return {{"name", name},
-            {"generator", fmt::format("Nacre {}", version())},
-            {"recipe_sha256", recipe_sha256},
-            {"colour_differences",
-             {{"from", "the paint by the model nacre, in CIEDE2000 under D65 for 2 degrees"},
-              {"by_angle", by_angle},
-              {"chips", chips},  // of CSS: the paint's, the material's
-              {"mean", to_hundredths(difference.mean_delta_e_2000)},
-              {"greatest", to_hundredths(difference.max_delta_e_2000)}}}};
+    return {
+        {"name", name},
+        {"generator", fmt::format("Nacre {}", version())},
+        {"recipe_sha256", recipe_sha256},
+        {"colour_differences",
+         {{"from", fmt::format("the paint by the model {}, in CIEDE2000 under D65 for 2 degrees",
+                               standard)},
+          {"by_angle", by_angle},
+          {"chips", chips},  // of CSS: the paint's, the material's
+          {"mean", to_hundredths(difference.mean_delta_e_2000)},
+          {"greatest", to_hundredths(difference.max_delta_e_2000)}}}};
 }
 
 const WebglTexture& texture(const WebglShader& shader, std::string_view name) {
@@ -95,7 +97,8 @@ measure::Difference shader_difference(const WebglShader& shader,
 }
 
 std::string threejs_text(const WebglShader& shader, const std::string& name,
-                         const std::string& recipe_sha256, const measure::Difference& difference) {
+                         const std::string& recipe_sha256, const measure::Difference& difference,
+                         const std::string& standard) {
     std::string text = kThreejsModule;
     const auto fill = [&](std::string_view mark, const Json& value, int indent = -1) {
         const std::string place = fmt::format("'@{}@'", mark);
@@ -109,7 +112,8 @@ std::string threejs_text(const WebglShader& shader, const std::string& name,
     fill("GLSL", shader.glsl_with_constants());
     fill("TABLE", base64(bytes_of(table)));
     fill("SMOOTH", base64(bytes_of(smooth)));
-    fill("ABOUT", about(name, recipe_sha256, difference), 2);  // last: a name may look like a mark
+    fill("ABOUT", about(name, recipe_sha256, difference, standard),
+         2);  // last: a name may look like a mark
     return text;
 }
 

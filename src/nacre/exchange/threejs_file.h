@@ -22,8 +22,9 @@ measure::Difference shader_difference(const WebglShader& shader,
 
 /// The module. Its `about` holds name, SHA-256 and differences.
 /// @param name  of the paint @param recipe_sha256  of its recipe
-/// @param difference  of shader_difference()
+/// @param difference  of shader_difference() @param standard  the model by which the paint was read for it
 std::string threejs_text(const WebglShader& shader, const std::string& name,
-                         const std::string& recipe_sha256, const measure::Difference& difference);
+                         const std::string& recipe_sha256, const measure::Difference& difference,
+                         const std::string& standard);
 
 }  // namespace nacre::exchange

@@ -35,7 +35,7 @@ Solution solve_alike(const paint::Recipe& recipe, const std::vector<double>& wav
                      SharedProgress& work);
 
 /// What an instrument reads on a solved paint.
-/// @param hot_spot  as the model nacre shows it (bsdf::HotSpotBrdf), else by the equation of
+/// @param hot_spot  with the hot spot of large flakes (bsdf::HotSpotBrdf), else by the equation of
 ///                  transfer
 /// @throws DomainError, Error as measure::measure(); as bsdf::HotSpotBrdf with the hot spot
 measure::Measurement read_solution(const solver::SolvedPaint& paint, bool hot_spot,

@@ -28,8 +28,9 @@ struct TargetOptions {
     std::vector<spectra::Illuminant> illuminants;
     /// By the geometry's name, >= 0; those not named weigh 1.
     std::map<std::string, double> weights;
-    /// Paints are read as the model nacre shows them, with its hot spot (bsdf::NacreModel), instead
-    /// of by the equation of transfer. Then the diameter of flakes changes colours too.
+    /// Paints are read with the hot spot of large flakes (bsdf::HotSpotBrdf), instead of by the equation
+    /// of transfer alone. Then the diameter of flakes changes colours too. Models say whether they show it:
+    /// bsdf::Model::shows_hot_spot().
     bool hot_spot = false;
 };
 

@@ -156,8 +156,7 @@ std::shared_ptr<const toml::table> with_keys_from(const TableReader& table, std:
         }
     }
     if (!table.has(kVolumeKey) && !table.has(kMassKey)) {
-        table.fail(kVolumeKey,
-                   "is missing; it must be a number in (0, 0.5], or mass_fraction in (0, 1)");
+        table.fail(kVolumeKey, paint::amount_is_missing());
     }
     auto whole = std::make_shared<toml::table>(table.contents());
     whole->erase(from);

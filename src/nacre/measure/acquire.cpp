@@ -202,18 +202,14 @@ std::vector<float> incidences(int count) {
     return theta;
 }
 
-void require_setting(const char* name, int value, int lo, int hi) {
-    require_in_range(value, lo, hi, name);
-}
-
 }  // namespace
 
 bsdf::RglTable acquire_rgl(const std::string& description, const Brdf& brdf,
                            const std::vector<double>& wavelengths_nm, const RglSettings& settings,
                            const Progress& progress) {
-    require_setting("resolution", settings.resolution, 4, 512);
-    require_setting("incident angles", settings.incident, 2, 256);
-    require_setting("resolution of the facets' distribution", settings.ndf_resolution, 8, 4096);
+    require_in_range(settings.resolution, RglSettings::kResolutionRange, "resolution");
+    require_in_range(settings.incident, RglSettings::kIncidentRange, "incident angles");
+    require_in_range(settings.ndf_resolution, 8, 4096, "resolution of the facets' distribution");
     const double layer = static_cast<double>(sizeof(float)) * settings.resolution *
                          settings.resolution * settings.incident;
     const double values = settings.rgb ? 3.0 : static_cast<double>(wavelengths_nm.size());

@@ -73,10 +73,12 @@ bsdf::MerlTable acquire_merl(const Brdf& brdf, const std::vector<double>& wavele
 // table in the adaptive parameterization.                                 [dupuy-jakob-2018]
 
 struct RglSettings {
-    int resolution = 64;       ///< points of the unit square per side, [4, 512]
-    int incident = 64;         ///< polar angles of incidence, [2, 256]
+    int resolution = 64;       ///< points of the unit square per side, in kResolutionRange
+    int incident = 64;         ///< polar angles of incidence, in kIncidentRange
     int ndf_resolution = 256;  ///< polar angles of the facets' distribution, [8, 4096]
     bool rgb = false;          ///< linear Rec. 709 instead of a spectrum
+
+    static constexpr Range kResolutionRange{4, 512}, kIncidentRange{2, 256};
 };
 
 /// Measures an isotropic surface that is symmetric about the plane of incidence, as every

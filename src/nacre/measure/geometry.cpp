@@ -20,8 +20,6 @@ namespace nacre::measure {
 
 namespace {
 
-constexpr Range kPolar{0, 90, "deg", false, true};
-
 void require(double value, const Range& range, const char* what) {
     if (!range.contains(value)) {
         throw DomainError(fmt::format("{} = {}: must be in {}", what, value, range.text()));
@@ -46,7 +44,7 @@ Vec3d specular_direction(double theta_i_deg) { return direction(theta_i_deg, 180
 }  // namespace
 
 Geometry in_plane(double theta_i_deg, double aspecular_deg) {
-    require(theta_i_deg, kPolar, "lamp in deg");
+    require(theta_i_deg, kPolarAngleRange, "lamp in deg");
     const double view_deg = theta_i_deg - aspecular_deg;
     if (!(std::abs(view_deg) < 90)) {
         throw DomainError(
@@ -59,7 +57,7 @@ Geometry in_plane(double theta_i_deg, double aspecular_deg) {
 }
 
 Geometry off_plane(double theta_i_deg, double aspecular_deg, double azimuth_deg) {
-    require(theta_i_deg, kPolar, "lamp in deg");
+    require(theta_i_deg, kPolarAngleRange, "lamp in deg");
     require(aspecular_deg, {0, 180, "deg", false, true}, "aspecular angle");
     require(azimuth_deg, {-180, 180, "deg"}, "azimuth about the mirror direction");
     if (azimuth_deg == 0) return in_plane(theta_i_deg, -aspecular_deg);
@@ -85,8 +83,8 @@ Geometry off_plane(double theta_i_deg, double aspecular_deg, double azimuth_deg)
 }
 
 Geometry towards(double theta_i_deg, double theta_o_deg, double phi_deg) {
-    require(theta_i_deg, kPolar, "lamp in deg");
-    require(theta_o_deg, kPolar, "theta of the view in deg");
+    require(theta_i_deg, kPolarAngleRange, "lamp in deg");
+    require(theta_o_deg, kPolarAngleRange, "theta of the view in deg");
     require(phi_deg, {-360, 360, "deg"}, "phi of the view");
     const double phi = wrapped_deg(phi_deg);
     if (phi == 180 || theta_o_deg == 0) return in_plane(theta_i_deg, theta_i_deg - theta_o_deg);

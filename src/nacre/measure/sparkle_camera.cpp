@@ -283,7 +283,11 @@ void check(const SparkleCamera& camera) {
                                pixels_across(camera)),
                    "choose a smaller field, larger pixels or fewer lamps");
     require_in_range(camera.lamp_half_angle_deg, 0, 3, "half-angle of the lamps in deg");
-    for (double lamp : camera.lamps_deg) require_in_range(lamp, 0, 85, "angle of a lamp in deg");
+    require_in_range(static_cast<double>(camera.lamps_deg.size()), 0, SparkleCamera::kMaxLamps,
+                     "number of lamps");
+    for (double lamp : camera.lamps_deg) {
+        require_in_range(lamp, SparkleCamera::kLampRange, "angle of a lamp in deg");
+    }
     require_in_range(camera.diffuse_samples, 0, 65536, "directions of diffuse light");
     if (camera.diffuse_samples % 2 != 0) {
         throw DomainError(

@@ -18,7 +18,7 @@ struct SparkleCamera {
     double pixel_um = 25;  ///< side of a pixel on the panel, [1, 1000]
     /// Side of its square field: 32 to 4096 pixels, 60 million in all pictures together.
     double field_mm = 12;
-    /// Lamps, from the normal, in one plane; [0, 85] each. May be empty.
+    /// Lamps, from the normal, in one plane; at most kMaxLamps, each in kLampRange. May be empty.
     std::vector<double> lamps_deg = {15, 45, 75};
     /// Lamps are discs of uniform radiance of this radius, [0, 3]. 0 is a point. The sun has 0.27.
     double lamp_half_angle_deg = 0.25;
@@ -29,6 +29,9 @@ struct SparkleCamera {
     /// Side of the panel that is an object's unit square (bsdf::SurfaceCoordinates::unit_square),
     /// at least the field.
     double unit_square_mm = 100;
+
+    static constexpr Range kLampRange{0, 85, "deg"};
+    static constexpr std::size_t kMaxLamps = 16;
 };
 
 /// @throws DomainError naming the number and its range; Error if the machine has less memory than

@@ -288,6 +288,9 @@ TEST(SparkleCamera, NumbersOutOfRangeAreRefusedByName) {
     EXPECT_THAT(complaint({.field_mm = 500}), HasSubstr("field of the camera in pixels = 20000"));
     EXPECT_THAT(complaint({.field_mm = std::nan("")}), HasSubstr("field of the camera"));
     EXPECT_THAT(complaint({.lamps_deg = {15, 90}}), HasSubstr("angle of a lamp in deg = 90"));
+    EXPECT_THAT(complaint({.lamps_deg = std::vector<double>(17, 15)}),
+                HasSubstr("number of lamps = 17"));
+    EXPECT_EQ(complaint({.lamps_deg = std::vector<double>(16, 15)}), "accepted");
     EXPECT_THAT(complaint({.lamp_half_angle_deg = 5}), HasSubstr("half-angle"));
     EXPECT_THAT(complaint({.diffuse_samples = 3}), HasSubstr("must be even"));
     EXPECT_EQ(complaint({}), "accepted");

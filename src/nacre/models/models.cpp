@@ -27,6 +27,21 @@ bsdf::Model default_model() { return all_models().front()->standard(); }
 
 bsdf::Model default_picture_model() { return bsdf::NacreModel{}; }
 
+std::vector<std::string_view> names_where(bool (*condition)(const bsdf::ModelInfo&)) {
+    std::vector<std::string_view> names;
+    for (const bsdf::ModelInfo* model : all_models()) {
+        if (!condition(*model)) continue;
+        const bool first = model == &default_picture_model().info();
+        names.insert(first ? names.begin() : names.end(), model->name);
+    }
+    return names;
+}
+
+std::vector<std::string_view> names_with_arrays() {
+    return names_where(
+        [](const bsdf::ModelInfo& model) { return model.standard().makes_arrays(); });
+}
+
 const bsdf::ModelInfo* find_model(std::string_view name) {
     const auto models = all_models();
     const auto found =

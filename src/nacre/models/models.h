@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "nacre/bsdf/model.h"
 
@@ -16,6 +17,11 @@ std::span<const bsdf::ModelInfo* const> all_models();
 bsdf::Model default_model();
 /// For pictures, in which flakes are seen one by one.
 bsdf::Model default_picture_model();
+/// The names of those that satisfy a condition, default_picture_model() first.
+std::vector<std::string_view> names_where(bool (*condition)(const bsdf::ModelInfo&));
+/// The names of those that make arrays as they are without any choice (bsdf::Model::makes_arrays),
+/// likewise.
+std::vector<std::string_view> names_with_arrays();
 /// Null if there is none of that name.
 const bsdf::ModelInfo* find_model(std::string_view name);
 

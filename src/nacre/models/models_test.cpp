@@ -86,6 +86,25 @@ TEST(Models, AreMadeByTheirNames) {
               "nacre, walk, volume");
 }
 
+TEST(Models, ThoseWithArraysBeginWithThatOfPictures) {
+    EXPECT_THAT(names_with_arrays(), ::testing::ElementsAre("nacre", "microflake"));
+    EXPECT_EQ(names_with_arrays().front(), default_picture_model().info().name);
+    EXPECT_TRUE(default_model().makes_arrays());
+    EXPECT_FALSE(bsdf::Model(bsdf::MicroflakeModel{.table = bsdf::MicroflakeModel::Table::svd})
+                     .makes_arrays());
+}
+
+TEST(Models, PaintsAreSoughtByThoseOfSolutionsAlone) {
+    int fitted = 0;
+    for (const ModelInfo* model : all_models()) {
+        EXPECT_EQ(model->can.fitted, model->solution != bsdf::Solution::none) << model->name;
+        fitted += model->can.fitted;
+        // What a fit does not see must not be asked of it.
+        EXPECT_TRUE(model->can.fitted || !model->standard().shows_hot_spot()) << model->name;
+    }
+    EXPECT_EQ(fitted, 2);
+}
+
 TEST(Models, GoniochromismIsAsListed) {
     for (const ModelInfo* model : all_models()) {
         const auto surface = pearl(model)->bind(kOnGrid);

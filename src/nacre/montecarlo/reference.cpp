@@ -78,16 +78,16 @@ constexpr std::size_t kMaxDetectorsPerWalk = 1024;
 }
 
 Vec3d unit_vector(const Direction& direction) {
-    const double theta = direction.theta_deg * std::numbers::pi / 180;
-    const double phi = direction.phi_deg * std::numbers::pi / 180;
+    const double theta = direction.theta_deg * kDegree;
+    const double phi = direction.phi_deg * kDegree;
     return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }
 
 void check(std::span<const Direction> directions, const char* which) {
     for (const Direction& d : directions) {
-        if (!(d.theta_deg >= 0 && d.theta_deg < 90)) {
-            throw DomainError(fmt::format("theta of the {} direction = {} is outside [0, 90) deg",
-                                          which, d.theta_deg));
+        if (!kPolarAngleRange.contains(d.theta_deg)) {
+            throw DomainError(fmt::format("theta of the {} direction = {} is outside {}", which,
+                                          d.theta_deg, kPolarAngleRange.text()));
         }
         if (!std::isfinite(d.phi_deg)) {
             throw DomainError(
@@ -102,10 +102,10 @@ void check(const paint::Recipe& recipe, std::span<const double> wavelengths_nm,
         throw DomainError("layer: is missing; light is followed through at least one [[layer]]");
     }
     paint::validate(recipe, {wavelengths_nm.begin(), wavelengths_nm.end()});
-    constexpr std::uint64_t kMaxSamples = 1'000'000'000'000'000;
-    if (settings.samples < 2 || settings.samples > kMaxSamples) {
+    constexpr Range kSamples = ReferenceSettings::kSamplesRange;
+    if (!kSamples.contains(static_cast<double>(settings.samples))) {
         throw DomainError(
-            fmt::format("samples = {} is outside [2, {}]", settings.samples, kMaxSamples));
+            fmt::format("samples = {} is outside {}", settings.samples, kSamples.text()));
     }
 }
 

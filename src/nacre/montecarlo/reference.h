@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "nacre/core/angles.h"
+#include "nacre/core/error.h"
 #include "nacre/core/estimate.h"
 #include "nacre/core/part.h"
 #include "nacre/core/progress.h"
@@ -17,14 +19,16 @@ namespace nacre::montecarlo {
 
 /// A direction away from the surface. phi_o - phi_i = 180 deg is the mirror side.
 struct Direction {
-    double theta_deg = 0;  ///< from the outward normal, [0, 90)
+    double theta_deg = 0;  ///< from the outward normal, in kPolarAngleRange
     double phi_deg = 0;    ///< any finite angle
 };
 
 struct ReferenceSettings {
-    std::uint64_t samples = 1u << 20;  ///< walks per incident direction, [2, 1e15]
+    std::uint64_t samples = 1u << 20;  ///< walks per incident direction, in kSamplesRange
     std::uint64_t seed = 0;
     Part part = Part::total;  ///< which light is counted
+
+    static constexpr Range kSamplesRange{2, 1e15};
 };
 
 /// The BRDF in 1/sr: [incident][outgoing][wavelength], row-major.

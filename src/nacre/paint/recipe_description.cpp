@@ -1,5 +1,7 @@
 #include "nacre/paint/recipe_description.h"
 
+#include <fmt/format.h>
+
 #include "nacre/optics/airy.h"
 
 namespace nacre::paint {
@@ -411,6 +413,7 @@ namespace {
 
 constexpr const char* kVolumeKey = "volume_fraction";
 constexpr const char* kMassKey = "mass_fraction";
+constexpr Range kMassFraction{0, 1, "", true, true};
 constexpr const char* kAmountTwice =
     "how much pigment there is is said twice; give volume_fraction or mass_fraction, not both";
 
@@ -445,6 +448,11 @@ void describe(Visitor& visit, Pigment& pigment) {
           pigment.body);
 }
 
+std::string amount_is_missing() {
+    return fmt::format("is missing; it must be a number in {}, or {} in {}",
+                       optics::kParticleVolumeRange.text(), kMassKey, kMassFraction.text());
+}
+
 void describe(Visitor& visit, PigmentParticles& particles) {
     optics::Spheres& spheres = particles.spheres;
     visit({.key = "material",
@@ -454,10 +462,9 @@ void describe(Visitor& visit, PigmentParticles& particles) {
            .required = true,
            .words = "{}"},
           spheres.material);
-    visit({.each = {{kVolumeKey}, {kMassKey}},
-           .both = kAmountTwice,
-           .neither = "is missing; it must be a number in (0, 0.5], or mass_fraction in (0, 1)"},
-          particles.amount);
+    visit(
+        {.each = {{kVolumeKey}, {kMassKey}}, .both = kAmountTwice, .neither = amount_is_missing()},
+        particles.amount);
     visit({.key = "diameter_nm",
            .range = optics::kDiameterRange,
            .meaning = "median diameter of the particles",
@@ -501,7 +508,7 @@ void describe(Visitor& visit, PigmentVolume& amount) {
 void describe(Visitor& visit, PigmentMass& amount) {
     constexpr Range kDensity{0.1, 25, "g/cm^3"};
     visit({.key = kMassKey,
-           .range = {0, 1, "", true, true},
+           .range = kMassFraction,
            .meaning = "in place of `volume_fraction`: fraction of the dry layer's mass",
            .required = true,
            .words = "{%} by mass"},

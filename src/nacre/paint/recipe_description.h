@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "nacre/optics/thin_film.h"
 #include "nacre/paint/description.h"
 #include "nacre/paint/recipe.h"
@@ -38,6 +40,9 @@ void describe(Visitor& visit, PigmentVolume& amount);
 void describe(Visitor& visit, PigmentMass& amount);
 void describe(Visitor& visit, Microfacet& microfacet);
 void describe(Visitor& visit, MicrofacetFacets& facets);
+
+/// What is said of a pigment of particles without its amount.
+std::string amount_is_missing();
 
 /// The table [substrate] of a recipe.
 struct Substrate {

@@ -36,10 +36,10 @@ constexpr double kBytesPerPixel = 180, kSparkleBytesPerPixel = 75, kBytesPerBin 
 void check(const RenderOptions& options) {
     require_in_range(options.width, 1, io::kMaxPixelsPerSide, "width in pixels");
     require_in_range(options.height, 1, io::kMaxPixelsPerSide, "height in pixels");
-    require_in_range(options.samples_per_pixel, 1, 1 << 24, "samples per pixel");
-    require_in_range(options.max_depth, 1, 1000, "max depth");
-    require_in_range(options.footprint_pixels, 0, 1000, "footprint in pixels");
-    require_in_range(options.spectral_bins, 0, 300, "spectral bins");
+    require_in_range(options.samples_per_pixel, kSamplesPerPixelRange, "samples per pixel");
+    require_in_range(options.max_depth, kMaxDepthRange, "max depth");
+    require_in_range(options.footprint_pixels, kFootprintRange, "footprint in pixels");
+    require_in_range(options.spectral_bins, kSpectralBinsRange, "spectral bins");
     const double pixels = static_cast<double>(options.width) * options.height;
     require_in_range(pixels, 1, 1 << 27, "width x height in pixels");
     require_in_range(pixels * options.spectral_bins, 0, 0x1p32, "width x height x spectral bins");
@@ -459,7 +459,7 @@ double noise_of(const Scene& scene, const RenderOptions& options, const Progress
 
 int samples_for_noise(const Scene& scene, RenderOptions options, double noise, int most,
                       const Progress& progress) {
-    require_in_range(noise, kNoiseRange.lo, kNoiseRange.hi, "noise");
+    require_in_range(noise, kNoiseRange, "noise");
     require_in_range(most, 1, 1 << 24, "most samples per pixel");
     constexpr int kFewest = 16;
     for (int samples = std::min(kFewest, most); samples < most;

@@ -14,21 +14,24 @@
 
 namespace nacre::render {
 
+inline constexpr Range kSamplesPerPixelRange{1, 1 << 24}, kMaxDepthRange{1, 1000},
+    kFootprintRange{0, 1000, "pixels"}, kSpectralBinsRange{0, 300};
+
 struct RenderOptions {
     int width = 512;             ///< pixels, [1, io::kMaxPixelsPerSide]
     int height = 512;            ///< pixels, [1, io::kMaxPixelsPerSide]
-    int samples_per_pixel = 64;  ///< [1, 2^24]
+    int samples_per_pixel = 64;  ///< in kSamplesPerPixelRange
     std::uint64_t seed = 0;
-    int max_depth = 8;  ///< surface reflections along a path, [1, 1000]
-    /// Side of the piece of surface that each sample shows where single flakes do, [0, 1000] pixels.
+    int max_depth = 8;  ///< surface reflections along a path, in kMaxDepthRange
+    /// Side of the piece of surface that each sample shows where single flakes do, in kFootprintRange.
     /// 0: flakes that can be sampled one by one are (docs/nacre-model.md), and where they cannot,
     /// as those of surfaces seen in a mirror, default_footprint_pixels().
     double footprint_pixels = 0;
     bool sparkle = false;  ///< RenderResult::sparkle is asked for
     bool noise =
         false;  ///< RenderResult::noise is asked for; from 64 x 64 pixels it takes a 64th more
-    int spectral_bins = 0;  ///< bins of the spectral film over 400-700 nm, [0, 300]; 0: none;
-                            ///< times the pixels at most 2^32
+    int spectral_bins = 0;  ///< bins of the spectral film over 400-700 nm, in kSpectralBinsRange;
+                            ///< 0: none; times the pixels at most 2^32
 
     friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
 };

@@ -113,7 +113,7 @@ Resolution choose_resolution(const PaintMedium& medium, const SolverSettings& se
     check_nodes(settings.exit_nodes, SolverSettings::kMaxNodes, "exit_nodes");
     check_nodes(settings.inner_nodes, SolverSettings::kMaxNodes, "inner_nodes");
     require_in_range(settings.max_orders, 0, SolverSettings::kMaxOrders, "max_orders");
-    require_in_range(settings.tolerance, 1e-12, 0.1, "tolerance");
+    require_in_range(settings.tolerance, SolverSettings::kToleranceRange, "tolerance");
 
     double alpha = 1.0;
     for (const LayerMedium& layer : medium.layers) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "nacre/core/error.h"
 #include "nacre/core/part.h"
 #include "nacre/solver/medium.h"
 #include "nacre/solver/multiple_scattering.h"
@@ -17,10 +18,11 @@ struct SolverSettings {
     int exit_nodes = 0;       ///< directions that leave the coat, a multiple of 4 up to kMaxNodes
     int inner_nodes = 0;      ///< directions beyond the critical angle, a multiple of 4
     int max_orders = 0;       ///< azimuthal Fourier orders at most
-    double tolerance = 1e-4;  ///< of the peak: where the Fourier series may end
+    double tolerance = 1e-4;  ///< of the peak: where the Fourier series may end, in kToleranceRange
 
     static constexpr int kMaxNodes = 128;
     static constexpr int kMaxOrders = 1024;
+    static constexpr Range kToleranceRange{1e-12, 0.1};
     friend bool operator==(const SolverSettings&, const SolverSettings&) = default;
 };
 

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <variant>
 
@@ -27,18 +28,26 @@ class Painter {
         : paints_(paints),
           model_(paints.model.value_or(models::default_picture_model())),
           progress_(progress) {
+        if (paints.specimen != 0) model_.set_specimen(paints.specimen);
         if (model_.specimen() == 0) model_.set_specimen(static_cast<std::uint64_t>(specimen));
     }
 
     /// Of all recipes.
     const Model& model() const { return model_; }
 
-    /// The model that shows a paint on the shapes of a material; none if it is measured.
+    /// The model that shows a paint; that of recipes for a measured one, which takes none.
+    Model model_of(std::size_t paint) const {
+        if (paints_.model || opened_[paint].paint.kind() != Kind::brdf_table) return model_;
+        Model model = models::default_model();
+        if (const auto specimen = model_.specimen()) model.set_specimen(*specimen);
+        return model;
+    }
+
+    /// The same on the shapes of a material; none if it is measured.
     std::optional<Model> model_on(const render::SceneDescription& scene,
                                   const std::string& material, std::size_t paint) const {
         if (opened_[paint].paint.kind() == Kind::measured_brdf) return std::nullopt;
-        const bool holds_table = opened_[paint].paint.kind() == Kind::brdf_table;
-        Model model = holds_table && !paints_.model ? models::default_model() : model_;
+        Model model = model_of(paint);
         try {
             model.lie_on(material, render::painted_shapes(scene, material));
         } catch (const DomainError& error) {
@@ -95,6 +104,12 @@ class Painter {
     const Progress& progress_;
     std::vector<Opened> opened_;
 };
+
+/// The models that show the coat and the lean of a solved paint.
+std::vector<std::string_view> models_of_solutions() {
+    return models::names_where(
+        [](const bsdf::ModelInfo& model) { return model.solution != bsdf::Solution::none; });
+}
 
 /// Of the triangles that a mesh file was read as.
 std::string mesh_sha256(const render::Mesh& mesh) {
@@ -192,6 +207,7 @@ Scene::Scene(render::SceneDescription description, const ScenePaints& paints,
     Painter painter(paints, description.specimen, progress);
     render::PaintTable table;
     std::map<std::string, std::string> shown;
+    std::optional<Model> shown_by;  // that of recipes, or where there are none that of tables
     for (const auto& [name, material] : description.materials) {
         const auto* wanted = std::get_if<render::PaintMaterial>(&material);
         if (!wanted) continue;
@@ -211,10 +227,9 @@ Scene::Scene(render::SceneDescription description, const ScenePaints& paints,
             if (!is_there || shown) return;
             throw SettingError(
                 "model",
-                fmt::format("does not show the {} of the paint of the material {}; must "
-                            "be nacre or microflake",
-                            key, name),
-                std::string(painter.model().info().name));
+                fmt::format("does not show the {} of the paint of the material {}; must be {}", key,
+                            name, fmt::join(models_of_solutions(), " or ")),
+                std::string(painter.model_of(found).info().name));
         };
         if (paint.has_recipe()) {
             require_shown("lean", paint.recipe().flake_lean().has_value(),
@@ -224,14 +239,19 @@ Scene::Scene(render::SceneDescription description, const ScenePaints& paints,
             require_shown("clearcoat.thickness_spread_um", paint.recipe().coat_spread() > 0,
                           table[name]->coat_thickness());
         }
-        shows_model_ |= paint.kind() != Kind::measured_brdf;
+        if (paint.kind() != Kind::measured_brdf) {
+            if (!shown_by || paint.kind() != Kind::brdf_table) shown_by = painter.model_of(found);
+        }
         if (paint.has_recipe()) recipe_sha256_[name] = paint.recipe_sha256();
         shown[name] = fmt::format("{} {} {}", paint.recipe_sha256(), paint.file_sha256(),
-                                  painter.model().text());
+                                  painter.model_of(found).text());
     }
     paints_ = painter.all();
-    model_name_ = shows_model_ || table.empty() ? painter.model().info().name : "measured";
-    if (shows_model_) specimen_ = painter.model().specimen();
+    shows_model_ = shown_by.has_value();
+    model_name_ = shown_by        ? shown_by->info().name
+                  : table.empty() ? painter.model().info().name
+                                  : "measured";
+    if (shown_by) specimen_ = shown_by->specimen();
     compiled_.emplace(description, table);
     turned_deg_ = description.turned_deg;
     sha256_ = sha256_of(std::move(description), shown);

@@ -115,6 +115,20 @@ TEST(Picture, ModelsThatCannotShowWhereACoatVariesRefuseIt) {
     EXPECT_EQ(refusal({40, 0.0, 0, {}, 4}), "accepted");
 }
 
+TEST(Picture, OfATableIsByTheModelThatTablesHold) {
+    const Paint table =
+        open_text(read_file(shipped_file("fuzz/corpus/brdf_table/raw.h5")), "raw.h5");
+    const Scene scene(find_scene("sphere"), {.slot = table, .specimen = 3});
+    EXPECT_EQ(scene.model_name(), "microflake");
+    EXPECT_EQ(scene.specimen(), 3u);
+    const Scene chosen(find_scene("sphere"),
+                       {.slot = table, .model = MicroflakeModel{.specimen = 3}});
+    EXPECT_EQ(scene.sha256(), chosen.sha256());
+    EXPECT_EQ(scene.model_settings(), chosen.model_settings());
+    EXPECT_EQ(scene.render(kTiny).metadata, chosen.render(kTiny).metadata);
+    EXPECT_THROW(Scene(find_scene("sphere"), {.slot = table, .model = NacreModel{}}), InputError);
+}
+
 TEST(Picture, IsMergedFromItsShardsAndNoOthers) {
     const Paint paint(fit::testing::pearl());
     const Scene scene(find_scene("sphere"), {.slot = paint});

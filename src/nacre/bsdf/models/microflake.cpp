@@ -41,7 +41,7 @@ constinit const ModelInfo MicroflakeModel::info = {
     .source = "Ergun et al. 2016",
     .ingredients = Ingredients::layers,
     .solution = Solution::table,
-    .can = {.goniochromism = true, .multiple_scattering = true, .parts = true},
+    .can = {.goniochromism = true, .multiple_scattering = true, .parts = true, .fitted = true},
     .standard = standard_model<MicroflakeModel>,
     .options = kMicroflakeOptions};
 

@@ -36,6 +36,10 @@ struct MicroflakeModel {
     std::optional<BrdfTable> make_table(const solver::SolvedPaint& paint,
                                         const Progress& progress) const;
     void require_kind(const BrdfTable& read, const std::string& file) const;
+    bool makes_arrays() const { return !makes_table(); }
+    std::shared_ptr<NacreArrays> make_arrays(
+        const std::shared_ptr<const solver::SolvedPaint>& paint, ArrayParts parts,
+        const Progress& progress) const;
 
     friend bool operator==(const MicroflakeModel&, const MicroflakeModel&) = default;
 };

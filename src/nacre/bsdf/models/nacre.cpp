@@ -231,7 +231,7 @@ constinit const ModelInfo NacreModel::info = {
     .source = "this project",
     .ingredients = Ingredients::layers,
     .solution = Solution::solved,
-    .can = {.goniochromism = true, .sparkle = true, .multiple_scattering = true},
+    .can = {.goniochromism = true, .sparkle = true, .multiple_scattering = true, .fitted = true},
     .coordinates = SurfaceCoordinates::object_space,
     .standard = standard_model<NacreModel>,
     .options = kNacreOptions};
@@ -243,6 +243,11 @@ std::string NacreModel::text() const {
 std::shared_ptr<const Bsdf> NacreModel::make(const ModelInput& input,
                                              const Progress& progress) const {
     return std::make_shared<const Nacre>(input.solved, *this, progress);
+}
+
+std::shared_ptr<const Bsdf> NacreModel::make_mean(std::shared_ptr<const solver::SolvedPaint> paint,
+                                                  const Progress& progress) const {
+    return Nacre::mean_alone(std::move(paint), *this, progress);
 }
 
 }  // namespace nacre::bsdf

@@ -27,6 +27,13 @@ struct NacreModel {
     static const ModelInfo info;
     std::shared_ptr<const Bsdf> make(const ModelInput& input, const Progress& progress) const;
     std::string text() const;
+    std::shared_ptr<const Bsdf> make_mean(std::shared_ptr<const solver::SolvedPaint> paint,
+                                          const Progress& progress) const;
+    bool makes_arrays() const { return true; }
+    std::shared_ptr<NacreArrays> make_arrays(
+        const std::shared_ptr<const solver::SolvedPaint>& paint, ArrayParts parts,
+        const Progress& progress) const;
+    bool shows_hot_spot() const { return hot_spot; }
 
     friend bool operator==(const NacreModel&, const NacreModel&) = default;
 };

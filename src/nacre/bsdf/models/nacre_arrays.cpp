@@ -195,4 +195,16 @@ NacreArrays nacre_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint
     return arrays_of(*tables.smooth, tables.hot_spot ? &*tables.hot_spot : nullptr, tables.species);
 }
 
+std::shared_ptr<NacreArrays> NacreModel::make_arrays(
+    const std::shared_ptr<const solver::SolvedPaint>& paint, ArrayParts parts,
+    const Progress& progress) const {
+    return std::make_shared<NacreArrays>(nacre_arrays(paint, *this, parts, progress));
+}
+
+std::shared_ptr<NacreArrays> MicroflakeModel::make_arrays(
+    const std::shared_ptr<const solver::SolvedPaint>& paint, ArrayParts parts,
+    const Progress&) const {
+    return std::make_shared<NacreArrays>(microflake_arrays(paint, parts));
+}
+
 }  // namespace nacre::bsdf

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "nacre/bsdf/models/nacre.h"
+#include "nacre/bsdf/flake_films.h"
 #include "nacre/core/random.h"
 #include "nacre/optics/thickness_rule.h"
 
