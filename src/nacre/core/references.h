@@ -36,7 +36,7 @@ class References {
     /// and messages may not quote it.
     References beside(const std::filesystem::path& file) const;
     /// Whether messages about the text may quote it. Not if another text named it, which may name
-    /// any file: what stands there is not for the eyes of whoever sees the message.
+    /// any file, one that the reader of the message may not be allowed to see among them.
     bool may_quote() const { return !named_; }
 
     /// The path of a file by its name in the text.
