@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "nacre/bsdf/models/special_effect.h"
+#include "nacre/core/polar.h"
 #include "nacre/core/random.h"
 #include "nacre/sparkle/facet_field.h"
 
@@ -22,9 +23,7 @@ namespace {
 constexpr double kAlpha = 0.07, kCone_deg = 3;
 
 Vec3f direction(double theta_deg, double phi_deg) {
-    const double t = theta_deg * std::numbers::pi / 180, p = phi_deg * std::numbers::pi / 180;
-    return {static_cast<float>(std::sin(t) * std::cos(p)),
-            static_cast<float>(std::sin(t) * std::sin(p)), static_cast<float>(std::cos(t))};
+    return to_float(polar_direction(theta_deg, phi_deg));
 }
 
 // Squares at random places and angles on the object, that hold `facets` facets on average.

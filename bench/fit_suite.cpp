@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "nacre/core/estimate.h"
 #include "nacre/core/file.h"
 #include "nacre/core/random.h"
 #include "nacre/fit/fit.h"
@@ -62,11 +63,6 @@ measure::Measurement colours_of(const paint::Recipe& recipe) {
                             },
                             paint.wavelengths_nm(),
                             measure::find_geometry_set("byk-mac")->geometries, {});
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
 }
 
 }  // namespace

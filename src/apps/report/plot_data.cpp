@@ -59,7 +59,7 @@ void check_series(const Series& series, const std::string& where) {
 }
 
 // The range of the values that an axis can show.
-struct Range {
+struct ShownValues {
     double lo = kInfinity, hi = -kInfinity;
     void add(const Axis& axis, double value) {
         if (!shown(axis, value)) return;
@@ -69,9 +69,9 @@ struct Range {
 };
 
 /// @param end_at_zero  whether the margins stop at a zero that the data do not cross
-Extent extent(const Axis& axis, Range range, bool end_at_zero) {
+Extent extent(const Axis& axis, ShownValues range, bool end_at_zero) {
     if (!(range.lo <= range.hi)) {  // nothing to show
-        range = axis.logarithmic ? Range{1, 10} : Range{0, 1};
+        range = axis.logarithmic ? ShownValues{1, 10} : ShownValues{0, 1};
     }
     // Margins are parts of the range, on a logarithmic axis of that of the logarithms.
     const auto to = [&](double v) { return axis.logarithmic ? std::log10(v) : v; };
@@ -115,7 +115,7 @@ void check(const Plot& plot) {
 }
 
 Extents extents(const Plot& plot) {
-    Range x, y;
+    ShownValues x, y;
     for (const Series& series : plot.series) {
         for (std::size_t i = 0; i < series.x.size(); ++i) {
             if (!can_be_shown(plot, series.x[i], series.y[i])) continue;

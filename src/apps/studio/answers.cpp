@@ -33,8 +33,7 @@ struct DisplayColour {
 };
 
 DisplayColour display_colour(const Vec3d& lab) {
-    const Vec3d white = spectra::linear_rec709_to_xyz({1, 1, 1});
-    const Vec3d linear = spectra::xyz_to_linear_rec709(spectra::lab_to_xyz(lab, white));
+    const Vec3d linear = spectra::lab_to_linear_rec709(lab);
     const double largest = std::max({linear.x, linear.y, linear.z});
     const double smallest = std::min({linear.x, linear.y, linear.z});
     DisplayColour colour{

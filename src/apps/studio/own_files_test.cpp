@@ -57,13 +57,15 @@ std::string hdr(int width, int height) {
     return bytes;
 }
 
+constexpr const char* kRead = "was read";
+
 std::string refusal_of_shape(const std::string& file, const std::string& bytes) {
     try {
         read_own_shape("own", file, bytes, false);
     } catch (const InputError& error) {
         return error.what();
     }
-    return "was read";
+    return kRead;
 }
 std::string refusal_of_light(const std::string& file, const std::string& bytes) {
     try {
@@ -71,7 +73,7 @@ std::string refusal_of_light(const std::string& file, const std::string& bytes) 
     } catch (const InputError& error) {
         return error.what();
     }
-    return "was read";
+    return kRead;
 }
 
 TEST(OwnFiles, AMeshIsPutIntoTheMiddleAndScaled) {
@@ -101,7 +103,7 @@ TEST(OwnFiles, AGltfMustStandAlone) {
     }
     std::filesystem::remove(secret);
     EXPECT_THAT(refusal_of_shape("roof.obj", "mtllib own_files_test.bin\n" + std::string(kObj)),
-                "was read");  // materials are not looked at
+                kRead);  // materials are not looked at
 }
 
 TEST(OwnFiles, AWhitePanelThatLiesFlatIsWhite) {
@@ -148,13 +150,25 @@ TEST(OwnFiles, DamagedFilesAreReadOrRefused) {
     const std::string seeds[] = {kObj, kPly, gltf("data:;base64," + base64(triangle_bytes())),
                                  hdr(16, 8)};
     const char* names[] = {"a.obj", "a.ply", "a.gltf", "a.hdr"};
+    int read[4] = {}, refused[4] = {};  // by kind of file
     for (int round = 0; round < 400; ++round) {
         const int which = round % 4;
         std::string bytes = seeds[which];
-        for (int i = 0; i < 3; ++i) bytes[random() % bytes.size()] = static_cast<char>(random());
+        // Any bytes, or, as most of these are refused, others of the file.
+        for (int i = 0; i <= round % 3; ++i) {
+            const char other = bytes[random() % bytes.size()];
+            const auto any = static_cast<char>(random());
+            bytes[random() % bytes.size()] = round % 8 < 4 ? any : other;
+        }
         if (round % 5 == 0) bytes.resize(random() % bytes.size());
         // Anything but an InputError fails the test.
-        which == 3 ? refusal_of_light(names[which], bytes) : refusal_of_shape(names[which], bytes);
+        const std::string refusal = which == 3 ? refusal_of_light(names[which], bytes)
+                                               : refusal_of_shape(names[which], bytes);
+        ++(refusal == kRead ? read : refused)[which];
+    }
+    for (int which = 0; which < 4; ++which) {
+        EXPECT_GT(read[which], 0) << names[which];
+        EXPECT_GT(refused[which], 0) << names[which];
     }
 }
 

@@ -9,13 +9,6 @@
 
 namespace nacre::study {
 
-double median(std::vector<double> values) {
-    if (values.empty()) throw DomainError("there is no median of no values");
-    std::sort(values.begin(), values.end());
-    const std::size_t middle = values.size() / 2;
-    return values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
 double relative_square_error(const io::Image& picture, const io::Image& converged) {
     const io::Image difference =
         io::image_difference(picture, converged, "picture", "converged picture").picture;

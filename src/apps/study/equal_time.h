@@ -7,11 +7,6 @@
 
 namespace nacre::study {
 
-/// The median; of an even number, the mean of the two in the middle. One run that another program
-/// disturbed hardly changes it.
-/// @throws DomainError if there are none
-double median(std::vector<double> values);
-
 // How far pictures are from converged ones, by the time that they took.
 
 /// Mean over pixels and R, G, B of ((a - b) / (|b| + 0.01))^2: relative in the light, absolute in

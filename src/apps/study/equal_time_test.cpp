@@ -81,12 +81,5 @@ TEST(EqualTime, RatioIsTheInverseOfTheOtherWayRound) {
     EXPECT_NEAR(*equal_time_ratio(a, b) * *equal_time_ratio(b, a), 1, 1e-12);
 }
 
-TEST(Median, OneWildValueDoesNotMoveIt) {
-    EXPECT_EQ(median({3, 1, 2}), 2);
-    EXPECT_EQ(median({3, 1e9, 2}), 3);
-    EXPECT_EQ(median({4, 1, 2, 3}), 2.5);
-    EXPECT_THROW(median({}), DomainError);
-}
-
 }  // namespace
 }  // namespace nacre::study

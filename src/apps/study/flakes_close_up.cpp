@@ -72,11 +72,6 @@ Histogram histogram(const Pixels& picture) {
 ColourSpread colour_spread(const Pixels& picture, double mean_luminance) {
     constexpr double kShown = 0.3;
     const double scale = kShown / mean_luminance;
-    const Vec3d white = spectra::linear_rec709_to_xyz({1, 1, 1});
-    const auto lab = [&](double r, double g, double b) {
-        return spectra::xyz_to_lab(spectra::linear_rec709_to_xyz({scale * r, scale * g, scale * b}),
-                                   white);
-    };
     ColourSpread spread;
     const std::size_t count = picture.rgb.size() / 3;
     const double n = static_cast<double>(count);
@@ -84,14 +79,16 @@ ColourSpread colour_spread(const Pixels& picture, double mean_luminance) {
     for (std::size_t p = 0; p < count; ++p) {
         const float* c = &picture.rgb[3 * p];
         for (int i = 0; i < 3; ++i) rgb[i] += c[i] / n;
-        const auto colour = lab(c[0], c[1], c[2]);
+        const Vec3d colour =
+            spectra::linear_rec709_to_lab({scale * c[0], scale * c[1], scale * c[2]});
         spread.ab.push_back({colour[1], colour[2]});
         a += colour[1] / n;
         b += colour[2] / n;
         aa += colour[1] * colour[1] / n;
         bb += colour[2] * colour[2] / n;
     }
-    spread.mean_lab = lab(rgb[0], rgb[1], rgb[2]);
+    spread.mean_lab =
+        spectra::linear_rec709_to_lab({scale * rgb[0], scale * rgb[1], scale * rgb[2]});
     spread.a_deviation = std::sqrt(std::max(0.0, aa - a * a));
     spread.b_deviation = std::sqrt(std::max(0.0, bb - b * b));
     return spread;

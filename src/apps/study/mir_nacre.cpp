@@ -10,6 +10,7 @@
 #include "apps/study/equal_time.h"
 #include "apps/study/mir_2022.h"
 #include "apps/study/query_cost.h"
+#include "nacre/core/estimate.h"
 #include "nacre/core/file.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/montecarlo/discs/disc.h"

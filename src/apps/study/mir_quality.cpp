@@ -13,6 +13,7 @@
 #include "nacre/bsdf/models/microflake.h"
 #include "nacre/bsdf/models/special_effect.h"
 #include "nacre/bsdf/tabulated/tabulated.h"
+#include "nacre/core/estimate.h"
 #include "nacre/core/file.h"
 #include "nacre/io/image_difference.h"
 #include "nacre/io/recipe_file.h"

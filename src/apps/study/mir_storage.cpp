@@ -7,13 +7,13 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "apps/study/equal_time.h"
 #include "apps/study/mir_2022.h"
 #include "apps/study/query_cost.h"
 #include "nacre/bsdf/models/microflake.h"
 #include "nacre/bsdf/tabulated/fourier_table.h"
 #include "nacre/bsdf/tabulated/tabulated.h"
 #include "nacre/core/angles.h"
+#include "nacre/core/estimate.h"
 #include "nacre/core/file.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/solver/solver.h"

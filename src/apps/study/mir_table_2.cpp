@@ -7,6 +7,7 @@
 
 #include "apps/study/mir_2022.h"
 #include "nacre/io/recipe_file.h"
+#include "nacre/spectra/rgb.h"
 
 // Table 2 and Figure 3: the cost of facets and flakes by their number.
 
@@ -30,7 +31,7 @@ std::vector<float> luminance(const io::Image& image) {
     const std::vector<float> rgb = io::interleaved_rgb(image, "picture");
     std::vector<float> y(image.pixel_count());
     for (std::size_t i = 0; i < y.size(); ++i) {
-        y[i] = 0.2126f * rgb[3 * i] + 0.7152f * rgb[3 * i + 1] + 0.0722f * rgb[3 * i + 2];
+        y[i] = spectra::rec709_luminance(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]);
     }
     return y;
 }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "nacre/nacre.h"
@@ -19,16 +20,18 @@ TEST(Uncertain, ReadingsAreThoseOfTheModelAndSpreadAsWide) {
     const Paint paint(fit::testing::pearl(90), {},
                       {{"layer[0].flakes[0].coats[0].thickness_nm", 0.5}});
     const std::vector<Geometry> angles = geometries("45as15,45as45");
-    for (const Model& model : {Model(MicroflakeModel{}), Model(NacreModel{})}) {
+    // A renderer's table of the hot spot is coarser than the values themselves: found 0.0034, and
+    // 2e-6 without it.
+    for (const auto& [model, table_error] :
+         {std::pair(Model(MicroflakeModel{}), 1e-5), std::pair(Model(NacreModel{}), 0.01)}) {
         const MeasureSettings settings{.model = model, .illuminant = Illuminant::A};
         const Uncertainty u = paint.measure_uncertainty(angles, settings);
         const Measurement read = paint.measure(angles, settings).measurement;
         EXPECT_EQ(u.measurement.conditions, read.conditions);
         ASSERT_EQ(u.readings.size(), 2u);
         for (std::size_t i = 0; i < 2; ++i) {
-            // A renderer's table of the hot spot is coarser than the values themselves.
             for (int c = 0; c < 3; ++c) {
-                EXPECT_NEAR(u.measurement.readings[i].lab[c], read.readings[i].lab[c], 0.5);
+                EXPECT_NEAR(u.measurement.readings[i].lab[c], read.readings[i].lab[c], table_error);
             }
         }
         // Beside it, by hand: the difference of paints that are 1 nm apart.

@@ -9,6 +9,7 @@
 
 #include "nacre/core/random.h"
 #include "nacre/optics/thickness_rule.h"
+#include "nacre/testing/worst.h"
 
 namespace nacre::bsdf {
 namespace {
@@ -94,7 +95,7 @@ double worst_second_moment(const optics::Platelet& platelet, double cosine) {
             }
             const double expected = products[a][b] / (sum[a] * sum[b]);
             const double size = std::sqrt(products[a][a] * products[b][b]) / (sum[a] * sum[b]);
-            worst = std::max(worst, std::abs(found - expected) / size);
+            worst = test::worse(worst, std::abs(found - expected) / size);
         }
     }
     return worst;

@@ -18,6 +18,7 @@
 #include "nacre/testing/nacre_model.h"
 #include "nacre/testing/paints.h"
 #include "nacre/testing/statistics.h"
+#include "nacre/testing/worst.h"
 
 namespace nacre::bsdf {
 namespace {
@@ -133,7 +134,7 @@ TEST(LeaningFlakes, HaveTheHotSpotOfWaysOfUnequalLength) {
                 overlap_um += half_um;
             }
             const double ratio = hot.eval(wi, wo)[2] / without.eval(wi, wo)[2] * transfer / light;
-            worst = std::max(worst, std::abs(ratio - 1));
+            worst = test::worse(worst, std::abs(ratio - 1));
             sum += ratio - 1;
             ++compared;
             EXPECT_GT(light, 1.3 * transfer);
@@ -323,7 +324,7 @@ TEST(LeaningFlakes, ChangeLittleFromOneDirectionToTheNext) {
         for (double theta = 40 + kStep_deg; theta < 85; theta += kStep_deg) {
             const Vec3f wo = direction(theta, azimuth);
             const double f = leaning.eval(wi, wo)[0];
-            change = std::max(change, std::abs(f - before));
+            change = test::worse(change, std::abs(f - before));
             largest = std::max(largest, f);
             before = f;
             beyond += leaning.pdf(wi, wo) <= 0.26 * std::numbers::inv_pi * wo.z;
@@ -368,10 +369,11 @@ TEST(LeaningFlakes, SamplesAreWorthTheirValueOverTheirDensity) {
         }
         ++others;
         const BsdfValue value = leaning.evaluate(wi, s->wo);
-        EXPECT_NEAR(s->pdf, value.pdf, 2e-3f * value.pdf);
+        // Found: 8e-5 and 1.6e-4.
+        EXPECT_NEAR(s->pdf, value.pdf, 5e-4f * value.pdf);
         for (int lane = 0; lane < kLanes; ++lane) {
             EXPECT_NEAR(s->weight[lane] * s->pdf, value.f[lane] * s->wo.z,
-                        5e-3f * value.f[lane] * s->wo.z);
+                        1e-3f * value.f[lane] * s->wo.z);
         }
     }
     EXPECT_GT(specular, 300);
@@ -401,7 +403,8 @@ TEST(LeaningFlakes, SamplesAreWorthAboutTheSame) {
                 sum += weight;
                 squares += weight * weight;
             }
-            worst = std::max(worst, squares * count / (sum * sum));
+            ASSERT_GT(sum, 0);
+            worst = test::worse(worst, squares * count / (sum * sum));
         }
     }
     std::printf("[ measured ] mean square of weights over square of their mean: %.2f\n", worst);

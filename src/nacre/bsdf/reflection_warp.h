@@ -39,8 +39,10 @@ class ReflectionWarp {
     template <class T>
     T slope_pdf(const Incident& i, const Vec3<T>& half) const;
 
-    /// Integral of the flux over all wo: a guide, within a few per cent for paints, a quarter at worst.
+    /// Integral of the flux over all wo: a guide, within a few per cent for paints, within
+    /// kWorstAlbedoError at worst.
     float albedo(float x) const;
+    static constexpr float kWorstAlbedoError = 0.25f;  ///< relative: of a white diffuser
 
  private:
     SliceMix slices(float x) const;

@@ -16,6 +16,7 @@
 #include "nacre/testing/nacre_model.h"
 #include "nacre/testing/paints.h"
 #include "nacre/testing/statistics.h"
+#include "nacre/testing/worst.h"
 
 namespace nacre::bsdf {
 namespace {
@@ -159,10 +160,11 @@ TEST(TiltedCoat, SamplesAreWorthTheirValueOverTheirDensity) {
         }
         ++others;
         const BsdfValue value = coat.evaluate(wi, s->wo);
-        EXPECT_NEAR(s->pdf, value.pdf, 2e-3f * value.pdf);
+        // Found: 2e-5 and 3e-5.
+        EXPECT_NEAR(s->pdf, value.pdf, 2e-4f * value.pdf);
         for (int lane = 0; lane < kLanes; ++lane) {
             EXPECT_NEAR(s->weight[lane] * s->pdf, value.f[lane] * s->wo.z,
-                        2e-3f * value.f[lane] * s->wo.z);
+                        2e-4f * value.f[lane] * s->wo.z);
         }
     }
     EXPECT_GT(specular, 300);
@@ -181,7 +183,7 @@ TEST(TiltedCoat, NoSampleIsWorthMuch) {
                               wi);
         const auto s =
             coat.sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
-        if (s && s->kind != SampleKind::specular) most = std::max(most, lane_max(s->weight));
+        if (s && s->kind != SampleKind::specular) most = test::worse(most, lane_max(s->weight));
     }
     EXPECT_LT(most, 10);
 }

@@ -185,10 +185,11 @@ TEST(TiltedRoughCoat, SamplesAreWorthTheirValueOverTheirDensity) {
         EXPECT_GT(s->wo.z, 0);
         const BsdfValue value =
             with_flakes ? coat.evaluate_on(patch, wi, s->wo) : coat.evaluate(wi, s->wo);
-        EXPECT_NEAR(s->pdf, value.pdf, 5e-3f * value.pdf);
+        // Found: 1e-4 and 3e-5.
+        EXPECT_NEAR(s->pdf, value.pdf, 5e-4f * value.pdf);
         for (int lane = 0; lane < kLanes; ++lane) {
             EXPECT_NEAR(s->weight[lane] * s->pdf, value.f[lane] * s->wo.z,
-                        5e-3f * value.f[lane] * s->wo.z);
+                        2e-4f * value.f[lane] * s->wo.z);
         }
         if (with_flakes) {
             ++on_patch;

@@ -2,6 +2,8 @@
 
 #include <numbers>
 
+#include "nacre/core/error.h"
+
 namespace nacre {
 
 // By the midpoint rule on the density after t = tan(u) sqrt(nu), which is proportional to
@@ -16,6 +18,13 @@ double student_two_sided(double x, double nu) {
         return sum * h;
     };
     return integral(u0) / integral(0);
+}
+
+double median(std::vector<double> values) {
+    if (values.empty()) throw DomainError("there is no median of no values");
+    std::sort(values.begin(), values.end());
+    const std::size_t middle = values.size() / 2;
+    return values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
 }  // namespace nacre

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 // Estimates with their standard errors.
 
@@ -36,6 +37,11 @@ inline double z_score(const Estimate& a, const Estimate& b) {
 /// Probability that |t| exceeds x for Student's t with nu degrees of freedom: of z-scores whose
 /// standard errors are estimated from nu + 1 batches. To 1e-6 for nu in [2, 1e4].
 double student_two_sided(double x, double nu);
+
+/// The median; of an even number, the mean of the two in the middle. One run that another program
+/// disturbed hardly changes it.
+/// @throws DomainError if there are none
+double median(std::vector<double> values);
 
 /// A statistic of sums over a picture, with its standard error: pieces of the picture are left out
 /// in turn, so that neighbours that share a flake do not count as independent.

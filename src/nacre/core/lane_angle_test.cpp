@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "nacre/testing/worst.h"
+
 namespace nacre {
 namespace {
 
@@ -15,7 +17,7 @@ TEST(LaneAngle, AnglesKeepTheirErrorAllAroundAndAtAnySize) {
             const float x = size * static_cast<float>(std::cos(angle));
             const float y = size * static_cast<float>(std::sin(angle));
             const double exact = std::atan2(static_cast<double>(y), static_cast<double>(x));
-            worst = std::max(worst, std::abs(atan2_lanes(splat(y), splat(x))[5] - exact));
+            worst = test::worse(worst, std::abs(atan2_lanes(splat(y), splat(x))[5] - exact));
         }
     }
     EXPECT_GT(count, 100000);

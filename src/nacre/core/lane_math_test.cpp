@@ -8,6 +8,7 @@
 
 #include "nacre/core/quadrature.h"
 #include "nacre/core/random.h"
+#include "nacre/testing/worst.h"
 
 namespace nacre {
 namespace {
@@ -22,7 +23,7 @@ double worst_exp_error(double first, double last, double step) {
         const V found = exp_lanes(x);
         for (int i = 0; i < kLanes; ++i) {
             const long double exact = std::exp(static_cast<long double>(x[i]));
-            worst = std::max(worst, static_cast<double>(std::abs(found[i] - exact) / exact));
+            worst = test::worse(worst, static_cast<double>(std::abs(found[i] - exact) / exact));
         }
     }
     EXPECT_GT(worst, 0);
@@ -45,7 +46,7 @@ TEST(LaneMath, OneMinusExponentialKeepsItsDigitsWhereItVanishes) {
     for (float x = 1e-20f; x < 80.0f; x *= 1.07f) {
         const double exact = -std::expm1(-static_cast<double>(x));
         const double found = one_minus_exp_lanes(splat(x))[3];
-        worst = std::max(worst, std::abs(found - exact) / exact);
+        worst = test::worse(worst, std::abs(found - exact) / exact);
     }
     EXPECT_GT(worst, 0);
     EXPECT_LT(worst, kOneMinusExpLanesError);
@@ -201,8 +202,8 @@ double worst_decay_error() {
     for (Real x = Real(1e-12); x < 80; x *= Real(1.07)) {
         const auto d = decay(V{} + x);
         const double mean = -std::expm1(-static_cast<double>(x)) / x;
-        worst = std::max({worst, std::abs(d.left[2] / std::exp(-static_cast<double>(x)) - 1),
-                          std::abs(d.mean[2] / mean - 1)});
+        worst = test::worse(worst, std::abs(d.left[2] / std::exp(-static_cast<double>(x)) - 1));
+        worst = test::worse(worst, std::abs(d.mean[2] / mean - 1));
     }
     return worst;
 }

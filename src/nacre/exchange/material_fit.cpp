@@ -43,10 +43,7 @@ std::vector<ShadingDirections> directions_of(const std::vector<measure::Geometry
     return directions;
 }
 
-Vec3d lab_of(const Vec3d& brdf) {
-    return spectra::xyz_to_lab(spectra::linear_rec709_to_xyz(std::numbers::pi * brdf),
-                               spectra::linear_rec709_to_xyz({1, 1, 1}));
-}
+Vec3d lab_of(const Vec3d& brdf) { return spectra::linear_rec709_to_lab(std::numbers::pi * brdf); }
 
 /// Half the distance over which the slope at a number is taken.
 double step_at(double x) { return std::max(1e-4 * std::abs(x), 1.5e-8); }

@@ -17,6 +17,7 @@
 #include "nacre/spectra/spectrum.h"
 #include "nacre/testing/bsdf.h"
 #include "nacre/testing/paints.h"
+#include "nacre/testing/worst.h"
 
 namespace nacre::exchange {
 namespace {
@@ -154,7 +155,7 @@ TEST(WebglFlakes, FilmsAreThoseOfThePathTracer) {
                 };
                 for (int b = 0; b < kLanes; ++b) {
                     const float got = at(low, b) + (y - low) * (at(low + 1, b) - at(low, b));
-                    worst = std::max(worst, std::abs(got - double{want[b]}));
+                    worst = test::worse(worst, std::abs(got - double{want[b]}));
                     farthest = std::max(farthest, std::abs(want[b] - 1.0));
                 }
             }

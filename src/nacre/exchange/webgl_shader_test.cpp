@@ -14,6 +14,7 @@
 #include "nacre/spectra/spectrum.h"
 #include "nacre/testing/errors.h"
 #include "nacre/testing/paints.h"
+#include "nacre/testing/worst.h"
 
 namespace nacre::exchange {
 namespace {
@@ -122,7 +123,7 @@ TEST(WebglShader, ColoursAreThoseOfTheSolvedPaint) {
                         shader.brdf(direction_of(theta_i, 0), direction_of(theta_o, phi));
                     for (int c = 0; c < 3; ++c) {
                         largest = std::max(largest, want[c]);
-                        worst = std::max(worst, std::abs(got[c] - want[c]));
+                        worst = test::worse(worst, std::abs(got[c] - want[c]));
                     }
                     ++count;
                 }
@@ -161,8 +162,8 @@ TEST(WebglShader, ColoursUnderALampAreThoseOfItsSpectrum) {
             const Vec3d got = shader.brdf(wi, wo), by_day = daylight.brdf(wi, wo);
             for (int c = 0; c < 3; ++c) {
                 largest = std::max(largest, want[c]);
-                worst = std::max(worst, std::abs(got[c] - want[c]));
-                worst_in_daylight = std::max(worst_in_daylight, std::abs(by_day[c] - want[c]));
+                worst = test::worse(worst, std::abs(got[c] - want[c]));
+                worst_in_daylight = test::worse(worst_in_daylight, std::abs(by_day[c] - want[c]));
             }
         }
         EXPECT_GT(largest, 0.01);

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "nacre/core/error.h"
+#include "nacre/core/square.h"
 
 namespace nacre::fit {
 namespace {
@@ -22,7 +23,6 @@ constexpr double kSigmasToGrey = 3;
 /// Standard deviations below this are those of rounding, as a* of a grey paint has; so is chroma.
 constexpr double kRounding = 1e-9;
 
-double squared(double x) { return x * x; }
 double sum_of(const std::vector<double>& x) { return std::accumulate(x.begin(), x.end(), 0.0); }
 double sum_of_squares(const std::vector<double>& x) {
     return std::inner_product(x.begin(), x.end(), x.begin(), 0.0);
@@ -59,14 +59,14 @@ NextTerms next_terms(const std::vector<double>& first, const Sensitivities& move
         }
         even[i] = even_part(sides);
         const double odd = (change(*sides.up) - change(*sides.down)) / 2;
-        next += 2 * squared(even[i]) + std::abs(6 * first[i] * (odd - first[i]));
+        next += 2 * square(even[i]) + std::abs(6 * first[i] * (odd - first[i]));
     }
     out.mean_shift = sum_of(even);
     std::size_t pair = 0;
     for (std::size_t i = 0; i < moves.numbers; ++i) {
         for (std::size_t j = i + 1; j < moves.numbers; ++j, ++pair) {
             const BothSides& sides = moves.pairs[pair];
-            if (sides.up && sides.down) next += squared(even_part(sides) - even[i] - even[j]);
+            if (sides.up && sides.down) next += square(even_part(sides) - even[i] - even[j]);
         }
     }
     const double variance = sum_of_squares(first);
@@ -93,7 +93,7 @@ std::vector<double> covariances_over_variance(std::size_t numbers,
         }
     }
     const double variance = sum_of(out);
-    if (!(variance > squared(kRounding))) return std::vector<double>(numbers, 0.0);
+    if (!(variance > square(kRounding))) return std::vector<double>(numbers, 0.0);
     for (double& fraction : out) fraction /= variance;
     return out;
 }
@@ -211,7 +211,7 @@ std::vector<double> variance_fractions(const std::vector<double>& change,
 std::vector<double> variance_fractions(const std::vector<Vec3d>& change,
                                        const std::vector<double>& correlation) {
     return covariances_over_variance(change.size(), correlation, [&](std::size_t i, std::size_t j) {
-        return i == j ? squared(std::hypot(change[i][0], change[i][1], change[i][2]))
+        return i == j ? square(std::hypot(change[i][0], change[i][1], change[i][2]))
                       : dot(change[i], change[j]);
     });
 }

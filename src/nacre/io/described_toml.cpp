@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "nacre/core/error.h"
 #include "nacre/io/pigment_file.h"
@@ -353,6 +354,16 @@ std::string toml_text(const std::string& text) {
         }
     }
     return out + "\"";
+}
+
+bool is_bare_toml_key(std::string_view key) {
+    return !key.empty() && std::all_of(key.begin(), key.end(), [](unsigned char c) {
+        return std::isalnum(c) || c == '_' || c == '-';
+    });
+}
+
+std::string toml_key(const std::string& key) {
+    return is_bare_toml_key(key) ? key : toml_text(key);
 }
 
 std::string toml_number(double x) { return fmt::format("{}", x); }

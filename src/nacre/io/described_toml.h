@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "nacre/io/table_reader.h"
@@ -23,6 +24,9 @@ std::string write_described(const paint::Described& object);
 
 // Values as TOML. A number is the shortest text that reads back to the same double.
 std::string toml_text(const std::string& text);
+/// As it is if it is bare, which is of letters, digits, `_` and `-`, else as a text.
+std::string toml_key(const std::string& key);
+bool is_bare_toml_key(std::string_view key);
 std::string toml_number(double x);
 std::string toml_list(const std::vector<double>& values);
 std::string toml_spectrum(const spectra::Spectrum& spectrum);

@@ -19,10 +19,7 @@ namespace {
 
 constexpr std::size_t kPixelsPerPiece = 4096;
 
-Vec3d lab_of(const float* rgb) {
-    static const Vec3d white = spectra::linear_rec709_to_xyz({1, 1, 1});
-    return spectra::xyz_to_lab(spectra::linear_rec709_to_xyz({rgb[0], rgb[1], rgb[2]}), white);
-}
+Vec3d lab_of(const float* rgb) { return spectra::linear_rec709_to_lab({rgb[0], rgb[1], rgb[2]}); }
 
 std::vector<float> finite_rgb(const Image& image, const std::string& name) {
     std::vector<float> rgb = interleaved_rgb(image, name);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <map>
 #include <optional>
@@ -16,21 +15,13 @@ namespace nacre::io {
 
 namespace {
 
-bool is_bare_key(std::string_view key) {
-    return !key.empty() && std::all_of(key.begin(), key.end(), [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-';
-    });
-}
-
-std::string key_text(const std::string& key) { return is_bare_key(key) ? key : toml_text(key); }
-
 std::string path_text(const TomlPath& path) {
     std::string text;
     for (const auto& part : path) {
         if (const auto* place = std::get_if<std::size_t>(&part)) {
             text += fmt::format("[{}]", *place);
         } else {
-            text += (text.empty() ? "" : ".") + key_text(std::get<std::string>(part));
+            text += (text.empty() ? "" : ".") + toml_key(std::get<std::string>(part));
         }
     }
     return text;
@@ -138,7 +129,7 @@ TomlPath parse_toml_path(std::string_view text) {
     TomlPath path;
     for (const std::string_view part : split(text, '.')) {
         const std::size_t bracket = std::min(part.find('['), part.size());
-        if (!is_bare_key(part.substr(0, bracket))) refuse();
+        if (!is_bare_toml_key(part.substr(0, bracket))) refuse();
         path.emplace_back(std::string(part.substr(0, bracket)));
         for (std::string_view rest = part.substr(bracket); !rest.empty();) {
             std::size_t place = 0;
@@ -284,7 +275,7 @@ void TomlEditor::add(const Edit& edit) {
         const auto* part = std::get_if<std::string>(&edit.path[i]);
         if (!part) refuse_path(edit.path, "there is no such entry in the file");
         if (i + 1 == edit.path.size()) header = key;
-        key += (key.empty() ? "" : ".") + key_text(*part);
+        key += (key.empty() ? "" : ".") + toml_key(*part);
     }
     const std::string entry = key + " = " + edit.value;
     const std::optional<Span> last = last_value(*table, text_, offset);
@@ -328,7 +319,7 @@ void TomlEditor::replace(const TomlPath& path,
                                                         std::string(indent_of(text_, begin));
     std::string lines;
     for (const auto& [name, value] : entries) {
-        lines += fmt::format("{}{} = {}", lines.empty() ? "" : between, key_text(name), value);
+        lines += fmt::format("{}{} = {}", lines.empty() ? "" : between, toml_key(name), value);
     }
     std::string text = text_;
     become(text.replace(begin, end - begin, lines));

@@ -86,11 +86,6 @@ void check_weights(const std::vector<Pair>& pairs, const std::map<std::string, d
     }
 }
 
-Vec3d linear_rgb(const Vec3d& lab) {
-    return spectra::xyz_to_linear_rec709(
-        spectra::lab_to_xyz(lab, spectra::linear_rec709_to_xyz({1, 1, 1})));
-}
-
 std::string display_colour(Vec3d rgb, double dimmed) {
     for (int c = 0; c < 3; ++c) {
         rgb[c] = spectra::srgb_encode(std::clamp(rgb[c] / dimmed, 0.0, 1.0));
@@ -101,7 +96,8 @@ std::string display_colour(Vec3d rgb, double dimmed) {
 }  // namespace
 
 DisplayPair display_pair(const AngleDifference& angle) {
-    const Vec3d standard = linear_rgb(angle.lab_standard), sample = linear_rgb(angle.lab_sample);
+    const Vec3d standard = spectra::lab_to_linear_rec709(angle.lab_standard),
+                sample = spectra::lab_to_linear_rec709(angle.lab_sample);
     double brightest = 1;
     for (int c = 0; c < 3; ++c) brightest = std::max({brightest, standard[c], sample[c]});
     return {display_colour(standard, brightest), display_colour(sample, brightest), brightest};

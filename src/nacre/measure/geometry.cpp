@@ -13,6 +13,7 @@
 
 #include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/polar.h"
 #include "nacre/core/text.h"
 #include "nacre/core/vec.h"
 
@@ -26,20 +27,16 @@ void require(double value, const Range& range, const char* what) {
     }
 }
 
-Vec3d direction(double theta_deg, double phi_deg) {
-    const double sine = std::sin(theta_deg * kDegree);
-    return {sine * std::cos(phi_deg * kDegree), sine * std::sin(phi_deg * kDegree),
-            std::cos(theta_deg * kDegree)};
-}
-
 /// Between unit vectors; exact for small angles too, where the arc cosine loses half its digits.
 double angle_deg(const Vec3d& a, const Vec3d& b) {
     return 2 * std::atan2(length(a - b), length(a + b)) / kDegree;
 }
 
-Vec3d lamp(const Geometry& geometry) { return direction(geometry.theta_i_deg, 0); }
-Vec3d view(const Geometry& geometry) { return direction(geometry.theta_o_deg, geometry.phi_deg); }
-Vec3d specular_direction(double theta_i_deg) { return direction(theta_i_deg, 180); }
+Vec3d lamp(const Geometry& geometry) { return polar_direction(geometry.theta_i_deg, 0); }
+Vec3d view(const Geometry& geometry) {
+    return polar_direction(geometry.theta_o_deg, geometry.phi_deg);
+}
+Vec3d specular_direction(double theta_i_deg) { return polar_direction(theta_i_deg, 180); }
 
 }  // namespace
 
@@ -90,8 +87,8 @@ Geometry towards(double theta_i_deg, double theta_o_deg, double phi_deg) {
     if (phi == 180 || theta_o_deg == 0) return in_plane(theta_i_deg, theta_i_deg - theta_o_deg);
     if (phi == 0) return in_plane(theta_i_deg, theta_i_deg + theta_o_deg);
     return {fmt::format("{}to{},{}", theta_i_deg, theta_o_deg, phi), theta_i_deg,
-            angle_deg(direction(theta_o_deg, phi), specular_direction(theta_i_deg)), theta_o_deg,
-            phi};
+            angle_deg(polar_direction(theta_o_deg, phi), specular_direction(theta_i_deg)),
+            theta_o_deg, phi};
 }
 
 bool is_in_plane(const Geometry& geometry) {

@@ -15,8 +15,7 @@ namespace {
 /// Encoded sRGB of a colour; with keep_hue divided by its largest component if that is above 1.
 Vec3d encoded(const Vec3d& lab, bool keep_hue) {
     // CIELAB is relative to the white of the panel's light; on a display white is the display's.
-    const Vec3d white = spectra::linear_rec709_to_xyz({1, 1, 1});
-    Vec3d rgb = spectra::xyz_to_linear_rec709(spectra::lab_to_xyz(lab, white));
+    Vec3d rgb = spectra::lab_to_linear_rec709(lab);
     const double scale = keep_hue ? std::max({rgb[0], rgb[1], rgb[2], 1.0}) : 1.0;
     for (int c = 0; c < 3; ++c) {
         rgb[c] = spectra::srgb_encode(std::clamp(rgb[c] / scale, 0.0, 1.0));

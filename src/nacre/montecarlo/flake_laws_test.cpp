@@ -13,6 +13,7 @@
 #include "nacre/core/random.h"
 #include "nacre/solver/solver.h"
 #include "nacre/testing/paints.h"
+#include "nacre/testing/worst.h"
 
 // Laws of flakes that are not Beckmann's: the solver, to which they are mixtures and sublayers,
 // against a walk that draws every flake from the law itself. The walk is one of its own: it shares
@@ -97,7 +98,8 @@ void expect_same_fractions(const std::string& name, const Fractions& a, const Fr
 
 double largest_difference(const Fractions& a, const Fractions& b) {
     double largest = 0;
-    for (int bin = 0; bin < kLawBins; ++bin) largest = std::max(largest, std::abs(a[bin] - b[bin]));
+    for (int bin = 0; bin < kLawBins; ++bin)
+        largest = test::worse(largest, std::abs(a[bin] - b[bin]));
     return largest;
 }
 

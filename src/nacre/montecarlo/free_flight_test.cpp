@@ -6,6 +6,7 @@
 #include "nacre/montecarlo/shell_walk.h"
 #include "nacre/paint/beckmann.h"
 #include "nacre/testing/montecarlo.h"
+#include "nacre/testing/worst.h"
 
 namespace nacre::montecarlo {
 namespace {
@@ -253,7 +254,7 @@ TEST(FreeFlight, BothTrackingsFollowTheOpticalDepth) {
             // Between neighbouring draws the rate is as good as linear.
             depth += (distances[i] - from) * candidate_rate(slab, kChord.cosine_at(mid));
             from = distances[i];
-            worst = std::max(worst, std::abs(-std::expm1(-depth) - (i + .5) / kDraws));
+            worst = test::worse(worst, std::abs(-std::expm1(-depth) - (i + .5) / kDraws));
         }
         EXPECT_LT(worst, 1.95 / std::sqrt(kDraws));
         EXPECT_GT(distances.size(), 1000u);

@@ -20,6 +20,7 @@
 #include "nacre/solver/solver.h"
 #include "nacre/testing/paints.h"
 #include "nacre/testing/statistics.h"
+#include "nacre/testing/worst.h"
 
 // Flakes that lean: the flat paint, asked in their frame, against walks among flakes that lean.
 
@@ -79,9 +80,9 @@ LeanErrors lean_errors_of(const paint::Recipe& flat, double tilt_deg, double alp
             const auto [x, y] = recipe.lean->tangents();
             const double slope = std::hypot(h.x / h.z - x, h.y / h.z - y);
             if (slope < 1.2 * alpha) {
-                errors.near = std::max(errors.near, off / walked[k].value);
+                errors.near = test::worse(errors.near, off / walked[k].value);
             } else {
-                errors.rest = std::max(errors.rest, off / mean);
+                errors.rest = test::worse(errors.rest, off / mean);
             }
             ++errors.compared;
         }

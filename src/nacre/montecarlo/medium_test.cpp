@@ -12,6 +12,7 @@
 #include "nacre/montecarlo/events.h"
 #include "nacre/testing/montecarlo.h"
 #include "nacre/testing/statistics.h"
+#include "nacre/testing/worst.h"
 
 namespace nacre::montecarlo {
 namespace {
@@ -204,10 +205,10 @@ TEST(Flakes, TableOfAPlateletKeepsToTheTransferMatrix) {
     double worst = 0;
     for (std::size_t i = 0; i < cosines.size(); ++i) {
         for (std::size_t j = 0; j < wavelengths.size(); ++j) {
-            worst = std::max(worst, std::abs(flake.reflectance(cosines[i])[j] -
-                                             exact.reflectance[i * wavelengths.size() + j]));
-            worst = std::max(worst, std::abs(flake.transmittance(cosines[i])[j] -
-                                             exact.transmittance[i * wavelengths.size() + j]));
+            worst = test::worse(worst, std::abs(flake.reflectance(cosines[i])[j] -
+                                                exact.reflectance[i * wavelengths.size() + j]));
+            worst = test::worse(worst, std::abs(flake.transmittance(cosines[i])[j] -
+                                                exact.transmittance[i * wavelengths.size() + j]));
         }
     }
     EXPECT_LT(worst, kPlateletTableError);

@@ -7,6 +7,7 @@
 #include "nacre/optics/fresnel.h"
 #include "nacre/solver/solver.h"
 #include "nacre/testing/montecarlo.h"
+#include "nacre/testing/worst.h"
 
 // The three models of one paint in one picture: a sphere, seen from far above, in a room whose
 // light changes smoothly with direction. The solved BRDF is integrated over the hemisphere of each
@@ -122,7 +123,7 @@ void expect_agreement(const Picture& a, const Picture& b, const std::string& pai
             const double z = z_score(a[i][lane], b[i][lane]);
             chi_square += z * z;
             sum += z;
-            worst = std::max(worst, std::abs(z));
+            worst = test::worse(worst, std::abs(z));
         }
         const double n = static_cast<double>(a.size());
         EXPECT_LT(std::abs(chi_square - n), 3 * std::sqrt(2 * n)) << pair << ' ' << kOnGrid[lane];

@@ -11,6 +11,7 @@
 #include "nacre/core/random.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/optics/thin_film.h"
+#include "nacre/testing/worst.h"
 
 namespace nacre::optics {
 namespace {
@@ -49,7 +50,7 @@ double worst_error(double max_wavelengths) {
             const V found = film.reflectance(cosine, static_cast<Real>(nm), 1 / wavelengths);
             for (int i = 0; i < kLanes; ++i) {
                 const double exact = c.exact(cosine, nm, 400 + 40 * i);
-                worst = std::max(worst, std::abs(found[i] - exact));
+                worst = test::worse(worst, std::abs(found[i] - exact));
             }
         }
     }

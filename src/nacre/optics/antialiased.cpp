@@ -190,11 +190,9 @@ Vec3d integrated_rgb(const AiryFilm& film, double cosine, double thickness_nm, i
 AntialiasingComparison compare_antialiasing(const AiryFilm& film, double cosine,
                                             double thickness_nm, const Antialiasing& how) {
     using namespace spectra;
-    static const Vec3d white = linear_rec709_to_xyz({1, 1, 1});
     AntialiasingComparison c{antialiased_rgb(film, cosine, thickness_nm, how),
                              integrated_rgb(film, cosine, thickness_nm), 0, 0};
-    c.delta_e = delta_e_2000(xyz_to_lab(linear_rec709_to_xyz(c.rgb), white),
-                             xyz_to_lab(linear_rec709_to_xyz(c.integrated_rgb), white));
+    c.delta_e = delta_e_2000(linear_rec709_to_lab(c.rgb), linear_rec709_to_lab(c.integrated_rgb));
     for (int i = 0; i < 3; ++i) {
         c.rgb_error = std::max(c.rgb_error, std::abs(c.rgb[i] - c.integrated_rgb[i]));
     }

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "nacre/core/square.h"
+
 namespace nacre::optics {
 
 namespace {
@@ -28,8 +30,6 @@ double sum_of_pairs(const Coefficients& c, std::size_t first, Term term) {
     }
     return sum;
 }
-
-double square(double x) { return x * x; }
 
 }  // namespace
 

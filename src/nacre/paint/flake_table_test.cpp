@@ -8,6 +8,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/testing/errors.h"
+#include "nacre/testing/worst.h"
 
 namespace nacre::paint {
 namespace {
@@ -35,8 +36,8 @@ double worst_error(const optics::Platelet& platelet) {
         const DoubleLanes t = table.transmittance(cosines[c], 0);
         for (std::size_t w = 0; w < wavelengths.size(); ++w) {
             const std::size_t at = c * wavelengths.size() + w;
-            worst = std::max(worst, std::abs(r[w] - exact.reflectance[at]));
-            worst = std::max(worst, std::abs(t[w] - exact.transmittance[at]));
+            worst = test::worse(worst, std::abs(r[w] - exact.reflectance[at]));
+            worst = test::worse(worst, std::abs(t[w] - exact.transmittance[at]));
         }
     }
     return worst;

@@ -13,6 +13,7 @@
 #include "nacre/optics/particles.h"
 #include "nacre/optics/thin_film.h"
 #include "nacre/paint/flake_sizes.h"
+#include "nacre/paint/limits.h"
 #include "nacre/spectra/spectrum.h"
 
 // What a paint is made of: a value, independent of any file format (io/recipe_file.h reads it).
@@ -282,28 +283,7 @@ void require_no_lean(const Recipe& recipe, std::string_view what);
 
 }  // namespace nacre::paint
 
-// Bounds that other folders use too; those of every key: paint/recipe_description.cpp.
-
 namespace nacre::paint::limits {
-
-inline constexpr std::size_t kMaxLayers = 64;
-inline constexpr Range kWavelength{1, 1e6, "nm"};
-inline constexpr Range kBinderIndex{1, 3};
-inline constexpr Range kFilmThickness{0, 1e5, "nm", true};
-inline constexpr Range kFilmSpread{0, 1e5, "nm"};
-inline constexpr Range kMicrofacetAlpha{0.001, 1};
-/// Of the flakes' mean. Beyond, what is first order in it would be off by more than some percent.
-inline constexpr Range kLeanTilt{0, 10, "deg"};
-inline constexpr Range kOrientationAlpha{0.005, 1};
-/// Of GGX: below, its core of slopes is narrower than what is solved; above, more than a fifth of
-/// the flakes would be steeper than what Beckmann's laws of kOrientationAlpha can be.
-inline constexpr Range kGgxAlpha{0.02, 0.5};
-/// Of a coat's thickness over its mean: at kMaxCoatDeviation nothing is left of the coat.
-inline constexpr double kMaxCoatSpread = 1 / 3.0;
-/// In standard deviations; the normal law of a coat's thickness ends there.
-inline constexpr double kMaxCoatDeviation = 3;
-/// Over the alpha of the flakes' planes.
-inline constexpr double kMaxRelativeWaviness = 2;
 
 /// R + T may exceed 1 by this much, for rounding.
 inline constexpr double kEnergySlack = 1e-9;

@@ -6,6 +6,7 @@
 
 #include "nacre/render/environment.h"
 #include "nacre/render/sampler.h"
+#include "nacre/testing/worst.h"
 
 namespace nacre::render {
 namespace {
@@ -135,7 +136,7 @@ TEST(DirectionDistribution, FindsTheRimOfAHardLamp) {
             const float pdf = t.pdf(Vec3f{x, y, z});
             ASSERT_GT(pdf, 0) << step;
             const float weight = 1 / pdf;  // per solid angle of dy dz / x
-            worst = std::max(worst, weight);
+            worst = test::worse(worst, weight);
             sum += 1 / x;
         }
         const float lamp_sr = sum * 0.28f * 0.18f / (kSide * kSide);

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "nacre/core/angles.h"
+#include "nacre/core/square.h"
 
 namespace nacre::render {
 
@@ -122,8 +123,6 @@ constexpr double kRoofBack = -0.10, kTail = -0.98;        // and the back falls 
 constexpr double kFlankDepth = 0.085, kFlankElevation = 0.24, kFlankRise = 0.03;
 constexpr double kFlankSpread = 0.12;  // of the hollow, radians of elevation
 constexpr double kSillDepth = 0.10, kSillSpread = 0.07;
-
-double square(double x) { return x * x; }
 
 /// Radius of a superellipse of half axes a and b in direction (cosine, sine).
 double superellipse(double a, double b, double cosine, double sine, double exponent) {

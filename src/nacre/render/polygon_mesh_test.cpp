@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nacre/core/error.h"
+#include "nacre/testing/worst.h"
 
 namespace nacre::render {
 namespace {
@@ -37,7 +38,7 @@ double worst_of_sphere(int around, int down) {
     const std::vector<Vec3f> normals = smooth_normals(corners, 40);
     double worst = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        worst = std::max(worst, double{length(normals[i] - corners[i])});
+        worst = test::worse(worst, double{length(normals[i] - corners[i])});
     }
     return worst;
 }

@@ -11,7 +11,9 @@
 #include "nacre/core/parallel.h"
 #include "nacre/render/builtin_scenes.h"
 #include "nacre/render/render.h"
+#include "nacre/spectra/rgb.h"
 #include "nacre/testing/render.h"
+#include "nacre/testing/statistics.h"
 
 namespace nacre::render {
 namespace {
@@ -22,34 +24,46 @@ using testing::glossy_scene;
 
 // The estimate against the truth: the difference to a picture of 16 times the samples or more and
 // other random numbers, over all pixels, less the share of that picture, whose noise falls no slower
-// than with the root of its samples. Both hold some per cent by chance.
+// than with the root of its samples.
 TEST(RenderNoise, TheNoiseIsThatAgainstTheConvergedPicture) {
+    // The estimate has one pixel of 64, and a quarter of the ball's squared error is in one of a
+    // hundred, where a path finds a light by chance: that of a single picture spreads so much. The
+    // mean of 30 was within 1.4 % of the truth in each case.
+    struct Case {
+        const char* scene;
+        int samples;
+        double spread;
+    };
+    constexpr int kMany = 256, kPictures = 8;
     for (const char* name : {"sphere", "panel-sun"}) {
         const Scene scene = glossy_scene(name);
-        constexpr int kMany = 256;
         RenderOptions options{.width = 96, .height = 96, .samples_per_pixel = kMany, .seed = 1};
         const RenderResult converged = render(scene, options);
         EXPECT_FALSE(converged.noise);
-        options.seed = 0;
         options.noise = true;
-        for (const int samples : {4, 16}) {
+        for (const auto& [of, samples, spread] :
+             {Case{"sphere", 4, 0.125}, Case{"sphere", 16, 0.12}, Case{"panel-sun", 4, 0.09},
+              Case{"panel-sun", 16, 0.06}}) {
+            if (of != std::string_view(name)) continue;
             options.samples_per_pixel = samples;
-            const RenderResult picture = render(scene, options);
-            ASSERT_TRUE(picture.noise);
-            double squares = 0, sum = 0;
-            for (std::size_t p = 0; p < picture.rgb.size(); p += 3) {
-                double difference = 0;
-                const double weights[] = {0.2126, 0.7152, 0.0722};
-                for (int c = 0; c < 3; ++c) {
-                    difference += weights[c] * (picture.rgb[p + c] - converged.rgb[p + c]);
-                    sum += weights[c] * converged.rgb[p + c];
+            double ratio = 0;
+            for (int n = 0; n < kPictures; ++n) {
+                options.seed = 2 + n;
+                const RenderResult picture = render(scene, options);
+                ASSERT_TRUE(picture.noise);
+                double squares = 0, sum = 0;
+                for (std::size_t p = 0; p < picture.rgb.size(); p += 3) {
+                    const float *a = &picture.rgb[p], *b = &converged.rgb[p];
+                    const double y = spectra::rec709_luminance<double>(b[0], b[1], b[2]);
+                    squares += std::pow(spectra::rec709_luminance<double>(a[0], a[1], a[2]) - y, 2);
+                    sum += y;
                 }
-                squares += difference * difference;
+                const double pixels = 96.0 * 96;
+                const double own = squares / (1 + 1.0 * samples / kMany);
+                ratio += *picture.noise / (std::sqrt(own / pixels) / (sum / pixels)) / kPictures;
             }
-            const double pixels = 96.0 * 96;
-            const double own = squares / (1 + 1.0 * samples / kMany);
-            const double truth = std::sqrt(own / pixels) / (sum / pixels);
-            EXPECT_NEAR(*picture.noise, truth, 0.35 * truth) << name << ", " << samples;
+            EXPECT_NEAR(ratio, 1, test::kWorstZ * spread / std::sqrt(kPictures))
+                << name << ", " << samples;
         }
     }
 }

@@ -1,6 +1,7 @@
 #include "nacre/render/scene_description.h"
 
-#include "nacre/paint/recipe.h"
+#include "nacre/bsdf/model.h"
+#include "nacre/paint/limits.h"
 
 namespace nacre::render {
 

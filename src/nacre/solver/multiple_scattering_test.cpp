@@ -8,6 +8,7 @@
 
 #include "nacre/core/parallel.h"
 #include "nacre/solver/directions.h"
+#include "nacre/testing/worst.h"
 
 namespace nacre::solver {
 namespace {
@@ -56,8 +57,9 @@ TEST(MultipleScattering, CompressionKeepsItsBound) {
         double worst = 0;
         for (std::size_t p = 0; p < r.pair_count(); ++p) {
             for (int w = 0; w < example.wavelengths; ++w) {
-                worst = std::max(worst, std::abs(reconstruct(r, p, w, r.rank()) -
-                                                 example.values[p * example.wavelengths + w]));
+                worst = nacre::test::worse(worst,
+                                           std::abs(reconstruct(r, p, w, r.rank()) -
+                                                    example.values[p * example.wavelengths + w]));
             }
         }
         // Coefficients and basis are stored in single precision.
@@ -66,9 +68,9 @@ TEST(MultipleScattering, CompressionKeepsItsBound) {
         double worst_of_tables = 0;
         for (std::size_t p = 0; p < r.pair_count(); ++p) {
             for (int w = 0; w < example.wavelengths; ++w) {
-                worst_of_tables = std::max(worst_of_tables,
-                                           std::abs(reconstruct(r, p, w, r.table_rank) -
-                                                    example.values[p * example.wavelengths + w]));
+                worst_of_tables = nacre::test::worse(
+                    worst_of_tables, std::abs(reconstruct(r, p, w, r.table_rank) -
+                                              example.values[p * example.wavelengths + w]));
             }
         }
         EXPECT_LE(worst_of_tables, (tolerance + 5e-7) * example.peak()) << tolerance;
@@ -178,7 +180,7 @@ TEST(MultipleScattering, ManyPairsAreCompressedAlikeByAnyNumberOfThreads) {
     double worst = 0;
     for (std::size_t p = 0; p < pairs; ++p) {
         for (int w = 0; w < kWavelengths; ++w) {
-            worst = std::max(
+            worst = nacre::test::worse(
                 worst, std::abs(reconstruct(r, p, w, r.rank()) - values[p * kWavelengths + w]));
         }
     }
@@ -231,7 +233,7 @@ TEST(MultipleScattering, WhatIsTooLargeKeepsTheSpectraThatTheToleranceNeeds) {
         double worst = 0;
         for (std::size_t p = 0; p < pairs; ++p) {
             for (int w = 0; w < kWavelengths; ++w) {
-                worst = std::max(
+                worst = nacre::test::worse(
                     worst, std::abs(reconstruct(r, p, w, r.rank()) - values[p * kWavelengths + w]));
             }
         }
@@ -297,8 +299,8 @@ TEST(MultipleScattering, DividedByALobeSmallValuesErrLess) {
             for (double b = 0; b < 1.5; b += 0.017) {
                 slice.coefficients(b, 1.0, c);
                 const double exact = f(a, b), error = std::abs(c[0] * r.basis[0] - exact);
-                large = std::max(large, error);
-                if (exact < 1e-3) small = std::max(small, error / exact);
+                large = nacre::test::worse(large, error);
+                if (exact < 1e-3) small = nacre::test::worse(small, error / exact);
             }
         }
         return std::pair(small, large);

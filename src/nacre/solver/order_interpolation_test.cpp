@@ -10,6 +10,7 @@
 #include "nacre/solver/directions.h"
 #include "nacre/solver/solver.h"
 #include "nacre/testing/layers.h"
+#include "nacre/testing/worst.h"
 
 namespace nacre::solver {
 namespace {
@@ -29,7 +30,7 @@ double error_of_series(int orders, const std::function<double(int)>& f) {
             if (!values[l].empty() || (l & -l) != distance) continue;
             values[l] = interpolate_order(l, values, first, kTile, 1);
             for (const DoubleLanes& at : values[l]) {
-                worst = std::max(worst, std::abs(at[3] - f(l)));
+                worst = nacre::test::worse(worst, std::abs(at[3] - f(l)));
             }
         }
     }
@@ -69,11 +70,11 @@ TEST(OrderInterpolation, LobesAreInterpolatedToTheStatedError) {
     for (double width = 1e-2; width < 2; width *= 1.02) {
         // As many orders as a lobe of this width has, down to 1e-6, or 1024.
         const int orders = std::clamp(static_cast<int>(5.3 / width), 2 * kDenseOrders + 4, 1024);
-        gaussian = std::max(gaussian, error_of_series(orders, [&](int l) {
-                                return std::exp(-0.5 * l * width * (l * width));
-                            }));
+        gaussian = nacre::test::worse(gaussian, error_of_series(orders, [&](int l) {
+                                          return std::exp(-0.5 * l * width * (l * width));
+                                      }));
         if (width > 0.03) {
-            exponential = std::max(
+            exponential = nacre::test::worse(
                 exponential, error_of_series(1024, [&](int l) { return std::exp(-width * l); }));
         }
     }
@@ -122,10 +123,10 @@ double error_of_paint(const paint::Recipe& recipe, int min_orders) {
                 const double i = theta_i * kDegree, o = theta_o * kDegree, p = phi * kDegree;
                 const double exact = all.brdf(i, o, p)[0];
                 peak = std::max(peak, exact);
-                error = std::max(error, std::abs(found.brdf(i, o, p)[0] - exact));
+                error = nacre::test::worse(error, std::abs(found.brdf(i, o, p)[0] - exact));
             }
         }
-        worst = std::max(worst, error / peak);
+        worst = nacre::test::worse(worst, error / peak);
     }
     return worst;
 }

@@ -11,6 +11,7 @@
 #include "nacre/solver/solver.h"
 #include "nacre/spectra/spectrum.h"
 #include "nacre/testing/layers.h"
+#include "nacre/testing/worst.h"
 
 // The chosen nodes and orders against a solution with many more of both.
 
@@ -37,10 +38,10 @@ double worst_error(const paint::Recipe& recipe) {
                 const double i = theta_i * kDegree, o = theta_o * kDegree, p = phi * kDegree;
                 const double expected = converged.brdf(i, o, p)[0];
                 peak = std::max(peak, expected);
-                error = std::max(error, std::abs(paint.brdf(i, o, p)[0] - expected));
+                error = nacre::test::worse(error, std::abs(paint.brdf(i, o, p)[0] - expected));
             }
         }
-        worst = std::max(worst, error / peak);
+        worst = nacre::test::worse(worst, error / peak);
     }
     return worst;
 }
@@ -121,7 +122,7 @@ TEST(SolverAccuracy, DarkColoursOfFilmsAreResolved) {
         double worst = 0;
         const std::vector<double> values = at(paint), expected = at(converged);
         for (std::size_t i = 0; i < values.size(); ++i) {
-            worst = std::max(worst, std::abs(values[i] / expected[i] - 1));
+            worst = nacre::test::worse(worst, std::abs(values[i] / expected[i] - 1));
         }
         return worst;
     };

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "nacre/core/lane_math.h"
-#include "nacre/paint/recipe.h"
+#include "nacre/paint/limits.h"
 
 namespace nacre::sparkle {
 

@@ -3,15 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
 #include <numbers>
 
 #include "nacre/core/error.h"
+#include "nacre/core/estimate.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/core/random.h"
 #include "nacre/testing/statistics.h"
+#include "nacre/testing/worst.h"
 
 namespace nacre::sparkle {
 namespace {
@@ -36,14 +39,18 @@ double side_of(double flakes, const FlakePopulation& population) {
 }
 
 // The light that a patch reflects for one half vector, relative to the mean over patches.
+double relative_radiance(const FlakeField& field, const FlakeView& view, Vec2f slope,
+                         float cosine) {
+    double sum = 0;
+    const float background = view.for_each_reflecting_flake(
+        field.lobe(), slope, cosine, [&](int, float fraction) { sum += fraction; });
+    return background + sum;
+}
 double relative_radiance(const FlakeField& field, const ObjectSpaceFootprint& patch, Vec2f slope,
                          float cosine) {
     static const auto view = std::make_unique<FlakeView>();
     field.look(patch, *view);
-    double sum = 0;
-    const float background = view->for_each_reflecting_flake(
-        field.lobe(), slope, cosine, [&](int, float fraction) { sum += fraction; });
-    return background + sum;
+    return relative_radiance(field, *view, slope, cosine);
 }
 
 template <class F>
@@ -198,36 +205,78 @@ TEST(FlakeField, CovarianceInSpaceAndInAngleFollowsCampbellsFormula) {
     }
 }
 
-// The third moment tells a few bright specks on an even ground from many flakes. Campbell's
-// theorem: the third cumulant is (1/nu^2) Int W^3 Int K^3 P / (P * K)^3.
-TEST(FlakeField, KeepsNearlyTheSkewnessWhereFewStandForMany) {
+// Int K^power P over the slopes of flakes, K about `slope`.
+double lobe_moment(const DiffractionLobe& lobe, Vec2f slope, float width, int power) {
+    const Quadrature rule = gauss_legendre(32, 0.0, 1.0);
+    constexpr int kAngles = 64;
+    double sum = 0;
+    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+        const double r = width * rule.nodes[i];
+        for (int k = 0; k < kAngles; ++k) {
+            const double angle = 2 * std::numbers::pi * (k + 0.5) / kAngles;
+            const double x = slope.x + r * std::cos(angle), y = slope.y + r * std::sin(angle);
+            sum += rule.weights[i] * width * r * 2 * std::numbers::pi / kAngles *
+                   std::pow(DiffractionLobe::density(static_cast<float>(r * r), width), power) *
+                   lobe.slope_density(static_cast<float>(x * x + y * y));
+        }
+    }
+    return sum;
+}
+
+// The third moment tells a few bright specks on an even ground from many flakes. Campbell's theorem:
+// the third cumulant of sum_j W_j K_j is E[sum_j W_j^3] Int K^3 P over the flakes j that a patch shows,
+// the variance the same with squares. What all of them are multiplied by cancels in the skewness.
+TEST(FlakeField, SkewnessIsThatOfTheFlakesThatStandForMany) {
     const FlakeField field(kSilver, 7);
+    const DiffractionLobe& lobe = field.lobe();
     const Vec2f slope = {0.05f, 0};
-    const float cosine = 0.9f;
-    for (const double flakes : {100.0, 150.0, 250.0}) {
+    const float slope2 = slope.x * slope.x, cosine = 0.9f;
+    const float radius = lobe.radius(20.0f) * lobe.widening(1 + slope2, cosine);
+    const auto view = std::make_unique<FlakeView>();
+    struct Case {
+        double flakes, stand_ins;
+    };
+    for (const auto& [flakes, stand_ins] : {Case{100, 1.369}, Case{150, 1.319}, Case{250, 1.330}}) {
         const double side = side_of(flakes, kSilver);
-        double mean = 0, second = 0, third = 0;
-        constexpr int kPatches = 200000;
-        std::vector<double> x(kPatches);
-        for (int i = 0; i < kPatches; ++i) {
-            x[i] = relative_radiance(
-                field, square(4 * side * (i % 500), 4 * side * (i / 500), side), slope, cosine);
-            mean += x[i] / kPatches;
+        constexpr int kPieces = 20, kPatches = 10'000;  // of each
+        std::array<std::array<double, 4>, kPieces> powers{};
+        double squares = 0, cubes = 0;  // of the flakes' weights, a patch
+        for (int i = 0; i < kPieces * kPatches; ++i) {
+            field.look(square(4 * side * (i % 500), 4 * side * (i / 500), side), *view);
+            const double x = relative_radiance(field, *view, slope, cosine);
+            std::array<double, 4>& sums = powers[i / kPatches];
+            for (int n = 0; n < 4; ++n) sums[n] += std::pow(x, n);
+            for (int k = 0; k < view->count; ++k) {
+                const double w = view->weight[k];
+                squares += w * w / (kPieces * kPatches);
+                cubes += w * w * w / (kPieces * kPatches);
+            }
         }
-        for (double v : x) {
-            second += (v - mean) * (v - mean) / kPatches;
-            third += std::pow(v - mean, 3) / kPatches;
-        }
-        // Of all flakes: W = 1/M inside large patches; K = 3 (1 - u)^2 / (pi r^2), u even in [0,
-        // 1], so Int K^3 = 27/7 / (pi r^2)^2 against Int K^2 = 9/5 / (pi r^2): the skewness is
-        // (27/7) / (9/5)^(3/2) / sqrt(reflecting), reflecting = M P pi r^2; the rims of the patch
-        // and the bend of P are neglected. e_h cancels.
-        const DiffractionLobe& lobe = field.lobe();
-        const float slope2 = slope.x * slope.x;
-        const double w = lobe.radius(20.0f) * lobe.widening(1 + slope2, cosine);
-        const double reflecting = flakes * lobe.slope_density(slope2) * std::numbers::pi * w * w;
-        const double expected = 27.0 / 7 / std::pow(1.8, 1.5) / std::sqrt(reflecting);
-        EXPECT_NEAR(third / std::pow(second, 1.5) / expected, 1, 0.4) << flakes;
+        const Estimate found = jackknife(powers, [](const std::array<double, 4>& sums) {
+            const double mean = sums[1] / sums[0], square = sums[2] / sums[0];
+            const double variance = square - mean * mean;
+            return (sums[3] / sums[0] - 3 * mean * square + 2 * std::pow(mean, 3)) /
+                   std::pow(variance, 1.5);
+        });
+        const float width = radius * view->widening;
+        const double expected = cubes * lobe_moment(lobe, slope, width, 3) /
+                                std::pow(squares * lobe_moment(lobe, slope, width, 2), 1.5);
+        EXPECT_NEAR(found.value, expected, test::kWorstZ * found.standard_error) << flakes;
+        EXPECT_LT(found.standard_error, 0.02 * expected);
+
+        // Of all flakes: W = 1/M inside the patch; K = 3 (1 - u)^2 / (pi r^2), u even in [0, 1], so
+        // Int K^3 = 27/7 / (pi r^2)^2 against Int K^2 = 9/5 / (pi r^2): the skewness is
+        // (27/7) / (9/5)^(3/2) / sqrt(reflecting), reflecting = M P pi r^2. Levels of fractions rho_l
+        // that are shown with weights w_l, and lobes B times as wide, have
+        //     Sum_l rho_l w_l^3 / (Sum_l rho_l w_l^2)^(3/2) / B
+        // times that: 1 if those shown weighed all the same and B were the root of how many each
+        // stands for. As levels fade one by one, and B ends short of that root, it is a third more.
+        // The rims of the patch, which take 0.4 %, and the bend of P, which adds 1 % where lobes are
+        // wide, are neglected.
+        const double reflecting =
+            flakes * lobe.slope_density(slope2) * std::numbers::pi * radius * radius;
+        const double of_all = 27.0 / 7 / std::pow(1.8, 1.5) / std::sqrt(reflecting);
+        EXPECT_NEAR(expected / of_all, stand_ins, 0.02) << flakes;
     }
 }
 
@@ -255,19 +304,28 @@ TEST(FlakeField, KeepsTheMeanWhateverTheSizesAndTheLobe) {
 // Int P P_s^2 / (P * P_s)^2 over nu times their area, P_s of waviness v and P of alpha, at the slope 0
 // (alpha^2 + v^2)^2 / (2 v^2 (alpha^2 + v^2 / 2)).
 TEST(FlakeField, WavinessWidensTheLobesAndKeepsTheMean) {
+    // Diffraction, which the formula leaves out, and lobes that end where Gaussians do not: found with
+    // eight other seeds, to 0.25 %.
+    struct Case {
+        double v, contrast;
+    };
     double before = 1e9;
-    for (const double v : {0.02, 0.05, 0.1, 0.2}) {
+    for (const auto& [v, found] :
+         {Case{0.02, 0.934}, Case{0.05, 0.965}, Case{0.1, 0.965}, Case{0.2, 0.989}}) {
         FlakePopulation population{
             .density_per_mm2 = 1000, .diameter_um = 40, .alpha = 0.1, .waviness = v};
         const FlakeField field(population, 9);
-        const Moments m = moments(60000, [&](int i) {
-            return relative_radiance(field, square(0.16 * (i % 250), 0.16 * (i / 250.0), 0), {0, 0},
+        const Moments m = moments(240'000, [&](int i) {
+            return relative_radiance(field, square(0.16 * (i % 500), 0.16 * (i / 500.0), 0), {0, 0},
                                      0.8f);
         });
         EXPECT_NEAR(m.mean, 1, 4 * m.mean_error + 2 * DiffractionLobe::kBlurError) << v;
         const double a2 = 0.01, v2 = v * v, cover = 1000 * std::numbers::pi / 4 * 0.04 * 0.04;
         const double expected = (a2 + v2) * (a2 + v2) / (2 * v2 * (a2 + v2 / 2)) / cover;
-        EXPECT_NEAR(std::sqrt(m.variance / expected), 1, v > 0.1 ? 0.15 : 0.08) << v;
+        const double contrast = std::sqrt(m.variance / expected);
+        const double error = m.variance_error / (2 * m.variance) * contrast;
+        EXPECT_NEAR(contrast, found, 0.0025 + test::kWorstZ * error) << v;
+        EXPECT_LT(error, 0.005);
         EXPECT_LT(m.variance, before);
         before = m.variance;
     }
@@ -357,7 +415,7 @@ TEST(FlakeField, ChangesWithoutJumpsFromACloseUpToADistantView) {
         for (const auto& [flake, weight] : before) {
             if (!now.contains(flake)) change += weight;
         }
-        if (side > 1e-3) worst = std::max(worst, change);
+        if (side > 1e-3) worst = test::worse(worst, change);
         levels_faded += view->background > 0 && view->background < 0.999;
         before = now;
         background = view->background;
@@ -461,7 +519,7 @@ TEST(FlakeField, SamplesSlopesWithTheDensityItStates) {
         chi_square += (count[i] - expected[i]) * (count[i] - expected[i]) / expected[i];
         ++cells;
     }
-    EXPECT_NEAR(total, kSamples, 2e-3 * kSamples);
+    EXPECT_NEAR(total, kSamples, 1e-5 * kSamples);  // found: 2e-7
     ASSERT_GT(cells, 10);
     EXPECT_LT(chi_square, cells + 4 * std::sqrt(2.0 * cells));
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "nacre/core/random.h"
+#include "nacre/testing/worst.h"
 
 namespace nacre::sparkle {
 namespace {
@@ -27,7 +28,7 @@ TEST(Projections, FractionsAddUpToOneAndStretchIsBounded) {
             const float c = component(n, p.list[i].side / 2);
             EXPECT_EQ(p.list[i].side % 2, c < 0);
             sum += p.list[i].fraction;
-            largest = std::max(largest, p.list[i].fraction / std::abs(c));
+            largest = test::worse(largest, p.list[i].fraction / std::abs(c));
         }
         EXPECT_NEAR(sum, 1, 1e-6);
     }

@@ -119,7 +119,7 @@ TEST(NormalTree, MassesAreThoseOfSampledNormals) {
             ++cells;
         }
         EXPECT_GT(cells, 10);
-        EXPECT_NEAR(mass, 1, 0.01);
+        EXPECT_NEAR(mass, 1, 2e-3);  // found: 5e-4, where no facet is
         EXPECT_LT(chi2, cells + 5 * std::sqrt(2 * cells)) << "alpha " << alpha;
     }
 }

@@ -8,6 +8,7 @@
 
 #include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/spectra/rgb.h"
 
 namespace nacre::spectra {
 namespace {
@@ -39,6 +40,14 @@ Vec3d lab_to_xyz(const Vec3d& lab, const Vec3d& white) {
     const double fy = (lab[0] + 16) / 116;
     return {white[0] * f_inverse(fy + lab[1] / 500), white[1] * f_inverse(fy),
             white[2] * f_inverse(fy - lab[2] / 200)};
+}
+
+Vec3d linear_rec709_to_lab(const Vec3d& rgb) {
+    return xyz_to_lab(linear_rec709_to_xyz(rgb), linear_rec709_to_xyz({1, 1, 1}));
+}
+
+Vec3d lab_to_linear_rec709(const Vec3d& lab) {
+    return xyz_to_linear_rec709(lab_to_xyz(lab, linear_rec709_to_xyz({1, 1, 1})));
 }
 
 namespace {

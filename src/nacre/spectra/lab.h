@@ -14,6 +14,11 @@ Vec3d xyz_to_lab(const Vec3d& xyz, const Vec3d& white);
 /// @throws DomainError unless every component of the white is positive
 Vec3d lab_to_xyz(const Vec3d& lab, const Vec3d& white);
 
+/// The same of linear Rec. 709 (spectra/rgb.h), relative to its own white: what pictures and displays
+/// show.
+Vec3d linear_rec709_to_lab(const Vec3d& rgb);
+Vec3d lab_to_linear_rec709(const Vec3d& lab);
+
 /// CIEDE2000 difference of two CIELAB colours with kL = kC = kH = 1; about 1 is just noticeable.
 /// Symmetric in its arguments.                                        [sharma-2005, eq. 2-22]
 double delta_e_2000(const Vec3d& lab1, const Vec3d& lab2);

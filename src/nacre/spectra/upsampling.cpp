@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "nacre/core/error.h"
+#include "nacre/core/square.h"
 #include "nacre/spectra/rgb.h"
 
 namespace nacre::spectra {
@@ -30,8 +31,6 @@ ColourWeights make_colour_weights() {
     }
     return weights;
 }
-
-double square(double x) { return x * x; }
 
 // Solves T x = b for a tridiagonal T and several right sides b at once, which x replaces.
 // Gaussian elimination exchanging neighbouring rows for the larger pivot, since T may be

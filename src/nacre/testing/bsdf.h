@@ -12,6 +12,7 @@
 #include "nacre/core/random.h"
 #include "nacre/paint/recipe.h"
 #include "nacre/testing/directions.h"
+#include "nacre/testing/worst.h"
 
 // Only for tests of surfaces: statistics of their samples.
 
@@ -185,7 +186,7 @@ inline Drawn expect_own_density_and_weight(const BoundBsdf& bound, int samples, 
             continue;
         }
         ++drawn.others;
-        drawn.largest_weight = std::max(drawn.largest_weight, lane_max(s->weight));
+        drawn.largest_weight = test::worse(drawn.largest_weight, lane_max(s->weight));
         const BsdfValue both = bound.evaluate(wi, s->wo);
         EXPECT_NEAR(s->pdf, both.pdf, relative * s->pdf);
         EXPECT_NEAR(s->pdf, bound.pdf(wi, s->wo), relative * s->pdf);

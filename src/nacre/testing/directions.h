@@ -6,6 +6,7 @@
 
 #include "nacre/core/angles.h"
 #include "nacre/core/lanes.h"
+#include "nacre/core/polar.h"
 #include "nacre/core/random.h"
 #include "nacre/core/vec.h"
 
@@ -19,10 +20,7 @@ inline constexpr std::array<double, kLanes> kOnGrid{420, 460, 500, 540, 580, 620
 /// @param theta_deg  from the normal, z
 /// @param phi_deg    about it, from x
 inline Vec3f direction(double theta_deg, double phi_deg = 0) {
-    const double s = std::sin(theta_deg * kDegree);
-    return {static_cast<float>(s * std::cos(phi_deg * kDegree)),
-            static_cast<float>(s * std::sin(phi_deg * kDegree)),
-            static_cast<float>(std::cos(theta_deg * kDegree))};
+    return to_float(polar_direction(theta_deg, phi_deg));
 }
 
 /// Evenly over the sphere.

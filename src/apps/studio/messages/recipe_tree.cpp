@@ -85,13 +85,6 @@ const std::set<std::string>& header_paths() {
     return paths;
 }
 
-std::string key_text(const std::string& key) {
-    const bool bare = !key.empty() && std::ranges::all_of(key, [](unsigned char c) {
-        return std::isalnum(c) || c == '_' || c == '-';
-    });
-    return bare ? key : io::toml_text(key);
-}
-
 class TreeWriter {
  public:
     std::string take() && { return std::move(text_); }
@@ -100,7 +93,8 @@ class TreeWriter {
         check_depth(path, depth);
         for (const auto& [key, value] : table.items()) {
             if (!has_header(join(path, key), value)) {
-                text_ += key_text(key) + " = " + in_line(value, join(path, key), depth + 1) + "\n";
+                text_ +=
+                    io::toml_key(key) + " = " + in_line(value, join(path, key), depth + 1) + "\n";
             }
         }
         for (const auto& [key, value] : table.items()) {
@@ -125,7 +119,7 @@ class TreeWriter {
         std::string entries;
         if (value.is_object()) {
             for (const auto& [key, entry] : value.items()) {
-                entries += (entries.empty() ? " " : ", ") + key_text(key) + " = " +
+                entries += (entries.empty() ? " " : ", ") + io::toml_key(key) + " = " +
                            in_line(entry, join(path, key), depth + 1);
             }
             return entries.empty() ? "{}" : "{" + entries + " }";

@@ -4,6 +4,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/core/random.h"
+#include "nacre/paint/limits.h"
 
 namespace nacre::bsdf {
 

@@ -260,13 +260,13 @@ TEST(DiffusePicture, ReadsItsPixelsFromTheTopAndBlendsBetweenTheirMiddles) {
     const auto reflectance = [&](double u, double v) {
         return bound->evaluate_on(patch_at(u, v), up, up).f[4] * std::numbers::pi_v<float>;
     };
-    EXPECT_NEAR(reflectance(0.25, 0.75), 0, 1e-3);
-    EXPECT_NEAR(reflectance(0.75, 0.75), 0.25, 1e-3);
-    EXPECT_NEAR(reflectance(0.25, 0.25), 1, 1e-3);
-    EXPECT_NEAR(reflectance(0.75, 0.25), 0.75, 1e-3);
-    EXPECT_NEAR(reflectance(0.5, 0.5), 0.5, 1e-3);
-    EXPECT_NEAR(reflectance(0, 0.25), 0.875, 1e-3);  // half way round the edge
-    EXPECT_NEAR(bound->albedo(up)[4], 0.5, 1e-3);
+    EXPECT_NEAR(reflectance(0.25, 0.75), 0, 1e-6);
+    EXPECT_NEAR(reflectance(0.75, 0.75), 0.25, 1e-6);
+    EXPECT_NEAR(reflectance(0.25, 0.25), 1, 1e-6);
+    EXPECT_NEAR(reflectance(0.75, 0.25), 0.75, 1e-6);
+    EXPECT_NEAR(reflectance(0.5, 0.5), 0.5, 1e-6);
+    EXPECT_NEAR(reflectance(0, 0.25), 0.875, 1e-6);  // half way round the edge
+    EXPECT_NEAR(bound->albedo(up)[4], 0.5, 1e-6);
 }
 
 TEST(DiffusePicture, ItsMeanIsThatOfMillionsOfPixels) {

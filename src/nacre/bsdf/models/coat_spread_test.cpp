@@ -9,6 +9,7 @@
 
 #include "nacre/bsdf/varied_coat.h"
 #include "nacre/testing/nacre_model.h"
+#include "nacre/testing/worst.h"
 
 // A tinted coat at a thickness other than its mean, against the paint solved anew with that thickness.
 
@@ -103,7 +104,7 @@ Errors SpreadPaint<Surface>::errors(double deviation) const {
                     if (there[k] < 0.01f * peak[k]) continue;
                     const double error = std::abs(found[k] / there[k] - 1);
                     out.rms += error * error;
-                    out.worst = std::max(out.worst, error);
+                    out.worst = test::worse(out.worst, error);
                     out.change =
                         std::max(out.change, std::abs(std::log(double{there[k]} / before[k])));
                     ++count;
@@ -116,8 +117,8 @@ Errors SpreadPaint<Surface>::errors(double deviation) const {
     return out;
 }
 
-// docs/coat-thickness.md states these bounds.
-constexpr double kTypicalSpread = 0.13, kWorst = 0.02, kRms = 2e-3;
+// Found 7e-4 and 1.7e-4; docs/coat-thickness.md has more directions, and a paint with 2 %.
+constexpr double kTypicalSpread = 0.13, kWorst = 2e-3, kRms = 5e-4;
 
 TEST(CoatSpread, ThinnerAndThickerCoatsAreThoseOfThePaintSolvedAnew) {
     for (const paint::Recipe& recipe : {candy(), white(), amber()}) {
@@ -153,7 +154,7 @@ TEST(CoatSpread, TheLargestSpreadIsStillFollowed) {
     for (const paint::Recipe& recipe : {candy(), white()}) {
         const SpreadPaint<Microflake> spread(recipe, paint::limits::kMaxCoatSpread);
         EXPECT_LT(spread.errors(-2).worst, 0.04);
-        EXPECT_LT(spread.errors(2).worst, 0.04);
+        EXPECT_LT(spread.errors(2).worst, 5e-3);  // found: 1.5e-3
         EXPECT_LT(spread.errors(-3).worst, 0.4);
     }
 }
@@ -238,7 +239,7 @@ TEST(VariedCoat, LosesNoLightWhereTheDyeDoesNotAbsorb) {
         for (int k = 0; k < kLanes; ++k) {
             const double albedo = sum[k] / kPoints;
             if (test::kOnGrid[k] > 560) {
-                EXPECT_NEAR(albedo, 1, 0.01) << test::kOnGrid[k];
+                EXPECT_NEAR(albedo, 1, 1e-3) << test::kOnGrid[k];  // found: 3e-4
             } else {
                 EXPECT_LT(albedo, 0.7);
             }

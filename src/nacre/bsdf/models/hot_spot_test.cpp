@@ -15,6 +15,7 @@
 #include "nacre/optics/fresnel.h"
 #include "nacre/testing/nacre_model.h"
 #include "nacre/testing/statistics.h"
+#include "nacre/testing/worst.h"
 
 // The hot spot of the nacre model, and where its light comes from. Against explicit discs:
 // apps/study/flakes_mean_test.cpp.
@@ -347,7 +348,7 @@ TEST(HotSpotCompensation, ValuesAreThoseOfTheModel) {
                     EXPECT_GE(exact, 0);
                     EXPECT_NEAR(f, model.bound->eval(wo, wi)[3], 1e-5 * f) << "not reciprocal";
                     peak = std::max(peak, exact);
-                    worst = std::max(worst, std::abs(f - exact));
+                    worst = test::worse(worst, std::abs(f - exact));
                 }
             }
             EXPECT_LE(worst, kMicroflakeError * peak);

@@ -102,14 +102,16 @@ TEST(NacreFlakeSampling, TheGuessIsWhatTheFlakesReflect) {
     wavy.waviness = 0.06;
     struct Case {
         paint::FlakeSpecies flake;
-        double roughness, miss, colour_miss;
+        double roughness, guess, miss, colour_miss;
     };
-    // Of paints that ship 0.01 to 0.06 under smooth coats, 0.06 to 0.16 under a rough one. Colours of films change
-    // fast with the angle on the flake at 60 deg.
-    for (const Case& c : {Case{wavy, 0, 0.06, 0.06}, Case{pearl_flake(18), 0, 0.1, 0.4},
-                          Case{wavy, 0.12, 0.2, 0.2}}) {
+    // Found with six seeds: guesses off by up to 1.1, 0.9 and 2.8 %; they miss up to 4, 8 and, as the sum
+    // hangs on few flakes, 17 to 32 %. Flakes without films have one colour, and the colours of films
+    // change fast with the angle on the flake at 60 deg: 39 %.
+    // Of paints that ship 0.01 to 0.06 is missed under smooth coats, 0.06 to 0.16 under a rough one.
+    for (const Case& c : {Case{wavy, 0, 0.02, 0.05, 1e-6}, Case{pearl_flake(18), 0, 0.02, 0.1, 0.4},
+                          Case{wavy, 0.12, 0.04, 0.4, 1e-6}}) {
         paint::Recipe recipe = paint_of({c.flake});
-        recipe.clearcoat->roughness = c.roughness;
+        recipe.clearcoat = paint::Clearcoat{0, spectra::Spectrum(0.0), c.roughness};
         const SparklingModel model(recipe, {.specimen = 1});
         const double side_mm = std::sqrt(10 / model.flakes_per_mm2());
         for (const double deg : {1.0, 30.0, 60.0}) {
@@ -132,7 +134,8 @@ TEST(NacreFlakeSampling, TheGuessIsWhatTheFlakesReflect) {
                     squares += light * light / flake.strength;
                 }
             }
-            EXPECT_NEAR(guessed, reflected, 0.05 * reflected) << deg << " deg";
+            EXPECT_NEAR(guessed, reflected, c.guess * reflected)
+                << deg << " deg, roughness " << c.roughness;
             const double miss = std::sqrt(squares * guessed / (reflected * reflected) - 1);
             EXPECT_LT(miss, c.miss) << deg << " deg, roughness " << c.roughness;
             EXPECT_GT(miss, 1e-3);

@@ -11,6 +11,7 @@
 #include "nacre/sparkle/coat_tilt.h"
 #include "nacre/testing/nacre_model.h"
 #include "nacre/testing/statistics.h"
+#include "nacre/testing/worst.h"
 
 // The hot spot under a rough clearcoat. Against explicit discs: apps/study/flakes_mean_test.cpp.
 
@@ -99,7 +100,7 @@ TEST(RoughHotSpot, IsThatOfASmoothCoatInTheLimit) {
                 };
                 const double f = at(on_smooth);
                 peak = std::max(peak, f);
-                worst = std::max(worst, std::abs(at(on_rough) - f));
+                worst = test::worse(worst, std::abs(at(on_rough) - f));
                 gain = std::max(gain, std::abs(smooth.brdf(30 * kDegree, theta_o * kDegree,
                                                            phi * kDegree, part)[k540] -
                                                f));
@@ -161,7 +162,7 @@ TEST(RoughHotSpot, ValuesAreThoseOfTheModel) {
                         brdf(theta_i * kDegree, theta_o * kDegree, phi * kDegree)[k540];
                     EXPECT_NEAR(f, model.bound->eval(wo, wi)[3], 1e-5 * f) << "not reciprocal";
                     peak = std::max(peak, exact);
-                    worst = std::max(worst, std::abs(f - exact));
+                    worst = test::worse(worst, std::abs(f - exact));
                 }
             }
             EXPECT_LE(worst, kMicroflakeRoughError * peak);

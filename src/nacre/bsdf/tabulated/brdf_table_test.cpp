@@ -12,6 +12,7 @@
 #include "nacre/core/random.h"
 #include "nacre/spectra/rgb.h"
 #include "nacre/testing/layers.h"
+#include "nacre/testing/worst.h"
 
 namespace nacre::bsdf {
 namespace {
@@ -68,12 +69,12 @@ double worst_node_error(const solver::SolvedPaint& paint) {
                         factor *
                         table.values[3 * ((static_cast<std::size_t>(i) * n + o) * m + j) + c];
                     peak = std::max(peak, std::abs(expected));
-                    error = std::max(error, std::abs(found - expected));
+                    error = test::worse(error, std::abs(found - expected));
                 }
             }
         }
         EXPECT_GT(peak, 0);
-        worst = std::max(worst, error / peak);
+        worst = test::worse(worst, error / peak);
     }
     return worst;
 }
@@ -207,7 +208,7 @@ TEST(BrdfTableSvd, LeavesOutAChannelThatIsZero) {
     for (std::size_t at = 1; at < table.values.size(); at += 3) table.values[at] = 0;
     const CompressedBrdfTable c = compress(table, {3, 0.5});
     EXPECT_EQ(c.rank, (std::array<int, 3>{6, 0, 6}));
-    EXPECT_LT(relative_error(c, table), 0.05);
+    EXPECT_LT(relative_error(c, table), 1e-3);  // found: 9e-5
     for (float& v : table.values) v = 0;
     const CompressedBrdfTable black = compress(table, {});
     EXPECT_EQ(black.terms(), 0);

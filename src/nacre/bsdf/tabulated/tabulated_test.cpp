@@ -12,6 +12,7 @@
 #include "nacre/spectra/rgb.h"
 #include "nacre/testing/bsdf.h"
 #include "nacre/testing/paints.h"
+#include "nacre/testing/worst.h"
 
 namespace nacre::bsdf {
 namespace {
@@ -74,7 +75,7 @@ double worst_error(const solver::SolvedPaint& paint, std::shared_ptr<const Table
                     std::max<double>(error, lane_max(max_lanes(found - wanted, wanted - found)));
             }
         }
-        worst = std::max(worst, error / peak);
+        worst = test::worse(worst, error / peak);
     }
     return worst;
 }
