@@ -263,7 +263,8 @@ SparkleReadings measure_sparkle(const bsdf::Bsdf& look, const SparkleSettings& s
 
 namespace io {
 struct RecipeText;  // io/recipe_text.h
-}
+struct TypedFile;   // io/file_kind.h
+}  // namespace io
 
 using FitSettings = fit::FitOptions;
 /// Whether a fit sees paints as this model shows them, with its hot spot
@@ -286,10 +287,6 @@ struct UncertaintySettings {
 /// Whether a model gives exact values, whose uncertainty differences can tell: not estimates, nor
 /// tables made of them, nor pictures alone.
 bool has_uncertainty(const Model& model);
-
-class Paint;
-Paint open_text(std::string bytes, const std::string& name, const References& references,
-                const std::string& sample);
 
 class Paint {
  public:
@@ -452,8 +449,7 @@ class Paint {
 
  private:
     struct State;
-    friend Paint open_text(std::string bytes, const std::string& name, const References& references,
-                           const std::string& sample);
+    friend Paint open_typed(io::TypedFile file, const std::string& sample);
     explicit Paint(std::shared_ptr<const State> state) : state_(std::move(state)) {}
 
     std::shared_ptr<const State> state_;  // never null
@@ -501,5 +497,8 @@ Paint open(const std::filesystem::path& path, const References& references);
 /// @throws InputError as open()
 Paint open_text(std::string bytes, const std::string& name, const References& references = {},
                 const std::string& sample = {});
+
+/// The same from a file that has been told apart (io::typed_file()).
+Paint open_typed(io::TypedFile file, const std::string& sample = {});
 
 }  // namespace nacre

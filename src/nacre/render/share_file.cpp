@@ -250,12 +250,12 @@ void write_share(const std::filesystem::path& path, const PictureShare& share) {
 }
 
 PictureShare parse_share(std::string_view bytes, const std::string& name) {
-    const io::FileKind kind = io::kind_of_bytes(bytes);
+    const io::FileKind kind = io::file_kind(bytes);
     if (kind != io::FileKind::picture_share) {
         throw InputError(
             fmt::format("{}: is {}; a share of a picture (nacre render --shard) is "
                         "needed here",
-                        name, io::words_for(io::file_kind(bytes))));
+                        name, io::words_for(kind)));
     }
     PictureShare share;
     io::read_sealed(kShareFormat, bytes, name, [&](hid_t file) { share = read_contents(file); });
