@@ -48,6 +48,9 @@ struct ScenePaints {
     /// tables models::default_model(), which they hold. Its specimen is that of the scene's description
     /// unless it has another than 0.
     std::optional<Model> model = {};
+    /// Those that need not be read and solved again where a material names their file: Scene::paints() of
+    /// another picture of the scene.
+    std::vector<Paint> known = {};
 };
 
 struct Picture {

@@ -233,6 +233,8 @@ TEST_F(Files, EachInputIsReadOnce) {
         {"info gray.h5 -o x.txt", {"gray.h5"}},
         {"info scene.toml -o x.txt", {"scene.toml", "glass.toml", "glass.csv"}},
         {"render scene.toml -o x.exr" + quick, {"scene.toml", "glass.toml", "glass.csv"}},
+        {"render scene.toml -o y.exr --turntable shape --frames 1:3" + quick,
+         {"scene.toml", "glass.toml", "glass.csv"}},
         {"render sphere --paint glass.toml -o x.exr" + quick, {"glass.toml", "glass.csv"}}};
     for (const auto& [arguments, inputs] : commands) {
         opened.counts();

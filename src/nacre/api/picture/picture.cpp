@@ -67,8 +67,13 @@ class Painter {
                 "slot", fmt::format("the material {} has no recipe, and there is no paint for it",
                                     material));
         }
-        opened_.push_back(
-            {path, path.empty() ? *paints_.slot : open(path, references.beside(path)), {}});
+        const auto known = std::ranges::find(paints_.known, path.string(), &Paint::file);
+        const bool is_known = !path.empty() && known != paints_.known.end();
+        opened_.push_back({path,
+                           path.empty() ? *paints_.slot
+                           : is_known   ? *known
+                                        : open(path, references.beside(path)),
+                           {}});
         return opened_.size() - 1;
     }
 

@@ -280,6 +280,14 @@ TEST(Picture, AllPaintsOfASceneAreReadBeforeTheFirstIsSolved) {
                 testing::ThrowsMessage<std::runtime_error>("is an output"));
     EXPECT_THAT(named, testing::ElementsAre("a.toml", "b.toml", "a.csv", "b.csv"));
     EXPECT_EQ(steps, 0);
+    // Of another picture of the scene nothing is read again.
+    const Scene once(find_scene(file), {.model = MicroflakeModel{}}, count);
+    EXPECT_GT(steps, 0);
+    steps = 0;
+    for (const char* gone : {"a.toml", "b.toml"}) std::filesystem::remove(folder / gone);
+    const Scene again(find_scene(file), {.model = MicroflakeModel{}, .known = once.paints()},
+                      count);
+    EXPECT_EQ(again.sha256(), once.sha256());
 }
 
 }  // namespace
