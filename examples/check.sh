@@ -26,7 +26,7 @@ build() { # FOLDER [CMAKE_OPTION...]
 cmake --install "$1" --prefix "$scratch/nacre" >"$scratch/log"
 for header in testing core/embree.h io/hdf5_file.h; do
     [[ ! -e $scratch/nacre/include/nacre/$header ]] || {
-        echo "check.sh: include/nacre/$header was installed, and is nobody's business" >&2
+        echo "check.sh: include/nacre/$header was installed, but is internal" >&2
         exit 1
     }
 done

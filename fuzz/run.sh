@@ -10,7 +10,7 @@ seconds=${1:-30}
 [ $# -gt 0 ] && shift
 source_dir=$(cd "$(dirname "$0")/.." && pwd)
 build_dir=$source_dir/build-fuzz
-targets=${*:-recipe scene mesh solved_paint brdf_table picture_share rgl merl measurement image material drawdown studio}
+targets=${*:-recipe scene mesh solved_paint brdf_table picture_shard rgl merl measurement image material drawdown studio}
 
 cd "$source_dir"
 launcher=$(command -v ccache || true)

@@ -133,12 +133,12 @@ class Picture:
 
     @property
     def complete(self) -> bool:
-        """False: stopped early or a share, a valid picture of that many samples."""
+        """False: stopped early or a shard, a valid picture of that many samples."""
         return bool(self._picture.complete)
 
     @property
     def shard(self) -> tuple[int, int] | None:
-        """Number and count of a share of a picture's samples; None: it is the whole."""
+        """Number and count of a shard of a picture's samples; None: it is the whole."""
         value: tuple[int, int] | None = self._picture.shard
         return value
 
@@ -160,7 +160,7 @@ class Picture:
         return self.rgb.astype(dtype)
 
     def write(self, path: Path, *, exposure_stops: float = 0.0) -> None:
-        """As .exr, with every channel, .png, tone-mapped, or, of a share, .h5 for :func:`merge`;
+        """As .exr, with every channel, .png, tone-mapped, or, of a shard, .h5 for :func:`merge`;
         whole or not at all."""
         _require_stops(exposure_stops)
         self._picture.write(path, exposure_stops)
@@ -236,10 +236,10 @@ def render(
         What turns about the vertical, "shape", "camera" or "light", and by how many degrees; as
         ``nacre render --turntable``.
     shard
-        ``(i, n)``: share i of n of the samples only, i from 1 to n. :func:`merge` makes the picture
-        of all n, bit for bit the one without shares.
+        ``(i, n)``: shard i of n of the samples only, i from 1 to n. :func:`merge` makes the picture
+        of all n, bit for bit the one without shards.
     resume
-        With ``shard``: a file that may hold this very share already, which is then read and not
+        With ``shard``: a file that may hold this very shard already, which is then read and not
         rendered again.
 
     Raises
@@ -277,15 +277,15 @@ def render(
         )
 
 
-def merge(shares: Iterable[Path]) -> Picture:
-    """The picture of all its shares, given by their files in any order: bit for bit the one of a
+def merge(shards: Iterable[Path]) -> Picture:
+    """The picture of all its shards, given by their files in any order: bit for bit the one of a
     single process. Its ``seconds`` are those of all together.
 
     Raises
     ------
     InputError
-        If a file holds no share, or one of another picture; if a share is missing or there twice.
+        If a file holds no shard, or one of another picture; if a shard is missing or there twice.
     """
     from . import _render
 
-    return Picture(_render.merge([os.fspath(share) for share in shares]))
+    return Picture(_render.merge([os.fspath(shard) for shard in shards]))

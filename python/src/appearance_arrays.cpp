@@ -125,7 +125,7 @@ nb::dict to_dict(NacreArrays&& a) {
         nb::dict hot_spot;
         hot_spot["species"] = species;
         hot_spot["ground"] = by_direction(std::move(a.hot_spot->ground));
-        hot_spot["closing"] = by_direction(std::move(a.hot_spot->closing));
+        hot_spot["compensation"] = by_direction(std::move(a.hot_spot->compensation));
         d["hot_spot"] = hot_spot;
     } else {
         d["hot_spot"] = nb::none();
@@ -144,8 +144,9 @@ nb::dict to_dict(NacreArrays&& a) {
 
 NacreArrays arrays_of(const PaintHandle& handle, const Model& model, bsdf::ArrayParts parts,
                       const nb::object& progress) {
-    return run(progress,
-               [&](const Progress& ask) { return handle.paint.arrays(model, parts, ask); });
+    return run(progress, [&](const Progress& callback) {
+        return handle.paint.arrays(model, parts, callback);
+    });
 }
 
 nb::dict appearance_arrays(const PaintHandle& handle, const Model& model, bool mean,

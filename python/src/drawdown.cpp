@@ -96,8 +96,8 @@ void bind_drawdown(nb::module_& module) {
             settings.matt_ground = matt_ground;
             settings.noise = noise;
             if (white) settings.white = io::find_white(white->string());
-            const fit::PigmentEstimate estimate = run(progress, [&](const Progress& ask) {
-                return fit::estimate_pigment(drawdown, settings, ask);
+            const fit::PigmentEstimate estimate = run(progress, [&](const Progress& callback) {
+                return fit::estimate_pigment(drawdown, settings, callback);
             });
             return estimate_of(estimate, anisotropy, name, "drawdown " + utf8_of(path));
         },

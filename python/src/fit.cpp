@@ -147,8 +147,8 @@ void bind_fit(nb::module_& module) {
         "fit",
         [](const Readings& standard, const PaintHandle& start, const std::vector<std::string>& free,
            const FitSettings& settings, const nb::object& progress) {
-            return match_of(run(progress, [&](const Progress& ask) {
-                return start.paint.fit(standard.measurement, free, settings, ask);
+            return match_of(run(progress, [&](const Progress& callback) {
+                return start.paint.fit(standard.measurement, free, settings, callback);
             }));
         },
         "standard"_a, "start"_a, "free"_a, "settings"_a, "progress"_a.none());
@@ -156,10 +156,11 @@ void bind_fit(nb::module_& module) {
         "fit_from_library",
         [](const Readings& standard, const std::filesystem::path& library,
            std::size_t constructions, const FitSettings& settings, const nb::object& progress) {
-            const std::vector<ConstructionMatch> matches = run(progress, [&](const Progress& ask) {
-                return fit_from_library(library, standard.measurement, constructions, settings,
-                                        ask);
-            });
+            const std::vector<ConstructionMatch> matches =
+                run(progress, [&](const Progress& callback) {
+                    return fit_from_library(library, standard.measurement, constructions, settings,
+                                            callback);
+                });
             nb::list all;
             for (const ConstructionMatch& m : matches) {
                 nb::dict one;

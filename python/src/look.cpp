@@ -166,8 +166,8 @@ std::shared_ptr<const Look> look_of(const PaintHandle& handle, const std::option
     for (const auto& known : handle.looks) {
         if (known.model == model && known.solve == solve) return known.look;
     }
-    const auto look = run(progress, [&](const Progress& ask) {
-        return std::make_shared<const Look>(Look{handle.paint.appearance(model, solve, ask)});
+    const auto look = run(progress, [&](const Progress& callback) {
+        return std::make_shared<const Look>(Look{handle.paint.appearance(model, solve, callback)});
     });
     constexpr std::size_t kKept = 2;
     if (handle.looks.size() == kKept) handle.looks.erase(handle.looks.begin());

@@ -154,7 +154,8 @@ nb::dict uncertainty_of(const Uncertainty& uncertainty) {
         chroma.push_back(number_or_nan(spread.chroma));
         hue.push_back(number_or_nan(spread.hue_deg));
         for (const Vec3d& by : reading.change) change.insert(change.end(), {by[0], by[1], by[2]});
-        const std::vector<double> share = fit::shares(reading.change, uncertainty.correlation);
+        const std::vector<double> share =
+            fit::variance_fractions(reading.change, uncertainty.correlation);
         shares.insert(shares.end(), share.begin(), share.end());
         factor.insert(factor.end(), spread.reflectance_factor.begin(),
                       spread.reflectance_factor.end());
@@ -295,10 +296,10 @@ void bind_measurement(nb::module_& module) {
            const nb::object& progress) {
             const MeasureSettings settings = settings_of(model, illuminant_name, observer_name,
                                                          aperture_deg, wavelengths_nm, walks, seed);
-            return run(progress, [&](const Progress& ask) {
+            return run(progress, [&](const Progress& callback) {
                 return handle.paint.measure(
                     geometry.empty() ? std::vector<Geometry>() : geometries(geometry), settings,
-                    ask);
+                    callback);
             });
         },
         "paint"_a, "geometry"_a, "model"_a.none(), "illuminant"_a.none(), "observer"_a.none(),
@@ -321,10 +322,10 @@ void bind_measurement(nb::module_& module) {
             for (const auto& [keys, coefficient] : correlations) {
                 uncertain.correlations.push_back({keys, coefficient});
             }
-            return uncertainty_of(run(progress, [&](const Progress& ask) {
+            return uncertainty_of(run(progress, [&](const Progress& callback) {
                 return handle.paint.measure_uncertainty(
                     geometry.empty() ? std::vector<Geometry>() : geometries(geometry), settings,
-                    uncertain, ask);
+                    uncertain, callback);
             }));
         },
         "paint"_a, "geometry"_a, "model"_a.none(), "illuminant"_a.none(), "observer"_a.none(),

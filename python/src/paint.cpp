@@ -71,8 +71,8 @@ std::shared_ptr<const PaintBrdf> brdf_of(const PaintHandle& handle, BrdfSettings
             return on_patch(known.brdf);
         }
     }
-    auto brdf = run(progress, [&](const Progress& ask) {
-        return std::make_shared<const PaintBrdf>(handle.paint.brdf(settings, ask));
+    auto brdf = run(progress, [&](const Progress& callback) {
+        return std::make_shared<const PaintBrdf>(handle.paint.brdf(settings, callback));
     });
     constexpr std::size_t kKept = 8;
     if (handle.brdfs.size() == kKept) handle.brdfs.erase(handle.brdfs.begin());
@@ -213,8 +213,9 @@ nb::dict solve(const PaintHandle& handle, const OptionalDoubles& wavelengths_nm,
     SolveSettings settings;
     if (wavelengths_nm) settings.wavelengths_nm = to_vector(*wavelengths_nm);
     settings.resolution = {exit_nodes, inner_nodes, max_orders, tolerance};
-    const auto solved =
-        run(progress, [&](const Progress& ask) { return handle.paint.solved(settings, ask); });
+    const auto solved = run(progress, [&](const Progress& callback) {
+        return handle.paint.solved(settings, callback);
+    });
     nb::dict result;
     result["wavelengths_nm"] = to_numpy(std::vector<double>(solved->wavelengths_nm()));
     result["exit_nodes"] = solved->report.exit_nodes;
@@ -247,8 +248,8 @@ Error2 write_rgl(const PaintHandle& handle, const std::filesystem::path& path, i
                  int incidences, bool rgb, const OptionalDoubles& wavelengths_nm,
                  const std::optional<Model>& model, const nb::object& progress) {
     const RglSettings rgl{.resolution = resolution, .incident = incidences, .rgb = rgb};
-    return run(progress, [&](const Progress& ask) {
-        return write(handle.paint.export_rgl(rgl, export_settings(wavelengths_nm, model), ask),
+    return run(progress, [&](const Progress& callback) {
+        return write(handle.paint.export_rgl(rgl, export_settings(wavelengths_nm, model), callback),
                      path);
     });
 }
@@ -257,9 +258,9 @@ Error2 write_merl(const PaintHandle& handle, const std::filesystem::path& path,
                   const std::tuple<int, int, int>& cells, const OptionalDoubles& wavelengths_nm,
                   const std::optional<Model>& model, const nb::object& progress) {
     const auto& [half, difference, azimuths] = cells;
-    return run(progress, [&](const Progress& ask) {
+    return run(progress, [&](const Progress& callback) {
         return write(handle.paint.export_merl({half, difference, azimuths},
-                                              export_settings(wavelengths_nm, model), ask),
+                                              export_settings(wavelengths_nm, model), callback),
                      path);
     });
 }
@@ -285,12 +286,12 @@ using Fitted =
 Fitted write_material(const PaintHandle& handle, const std::filesystem::path& path,
                       const std::string& format, const OptionalDoubles& wavelengths_nm,
                       const std::optional<Model>& model, const nb::object& progress) {
-    return run(progress, [&](const Progress& ask) {
+    return run(progress, [&](const Progress& callback) {
         const FittedMaterial made =
             handle.paint.export_material(format == "gltf"        ? MaterialFormat::gltf
                                          : format == "materialx" ? MaterialFormat::materialx
                                                                  : MaterialFormat::cycles,
-                                         export_settings(wavelengths_nm, model), ask);
+                                         export_settings(wavelengths_nm, model), callback);
         made.write(path);
         return Fitted{made.parameters, differences(made.fit.instrument),
                       differences(made.fit.fitted), differences(made.fit.tested)};
@@ -299,8 +300,8 @@ Fitted write_material(const PaintHandle& handle, const std::filesystem::path& pa
 
 Differences write_shader(const PaintHandle& handle, const std::filesystem::path& path,
                          const std::optional<Model>& model, const nb::object& progress) {
-    return run(progress, [&](const Progress& ask) {
-        const ShaderMaterial made = handle.paint.export_threejs(model, ask);
+    return run(progress, [&](const Progress& callback) {
+        const ShaderMaterial made = handle.paint.export_threejs(model, callback);
         made.write(path);
         return differences(made.difference);
     });
@@ -312,11 +313,11 @@ std::size_t write_solved(const PaintHandle& handle, const std::filesystem::path&
                          const nb::object& progress) {
     SolveSettings settings;
     if (wavelengths_nm) settings.wavelengths_nm = to_vector(*wavelengths_nm);
-    return run(progress, [&](const Progress& ask) {
+    return run(progress, [&](const Progress& callback) {
         const std::string bytes = model && model->makes_table()
-                                      ? handle.paint.export_table(*model, settings, ask)
-                                      : handle.paint.export_solved(settings, ask);
-        write_file_atomically(path, bytes, ask);
+                                      ? handle.paint.export_table(*model, settings, callback)
+                                      : handle.paint.export_solved(settings, callback);
+        write_file_atomically(path, bytes, callback);
         return bytes.size();
     });
 }

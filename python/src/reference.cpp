@@ -58,9 +58,9 @@ nb::tuple reference(const PaintHandle& handle, const Doubles& theta_i_deg,
     }
     const montecarlo::ReferenceSettings settings{samples, seed, part_of(part)};
     const paint::Recipe& recipe = handle.paint.recipe();
-    const auto estimates = run(progress, [&](const Progress& ask) {
+    const auto estimates = run(progress, [&](const Progress& callback) {
         try {
-            return montecarlo::reference_brdf(recipe, incident, outgoing, nm, settings, ask);
+            return montecarlo::reference_brdf(recipe, incident, outgoing, nm, settings, callback);
         } catch (const DomainError& error) {  // the rest has been checked: it is the recipe
             throw InputError(handle.paint.file() + ": " + error.what());
         }

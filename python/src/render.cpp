@@ -77,31 +77,31 @@ nb::object spectral(nb::handle self) {
 
 nb::tuple image(const Picture& picture) { return to_arrays(picture.image()); }
 
-/// Of a picture: another place of what turns, and a share of the samples.
+/// Of a picture: another place of what turns, and a shard of the samples.
 struct PictureParts {
     std::optional<std::pair<std::string, double>> turntable;
     std::optional<std::pair<int, int>> shard;
     std::optional<std::filesystem::path> resume;  ///< that may hold it
 };
 
-/// The picture of a share's samples, and what nacre.merge() takes of it.
-struct SharePicture : Picture {
-    PictureShare share;
+/// The picture of a shard's samples, and what nacre.merge() takes of it.
+struct ShardPicture : Picture {
+    PictureShard shard;
 
-    explicit SharePicture(PictureShare s)
+    explicit ShardPicture(PictureShard s)
         : Picture{render::develop(s.sums, s.options), render::picture_metadata(s)},
-          share(std::move(s)) {
-        result.complete = share.share.count == 1;
+          shard(std::move(s)) {
+        result.complete = shard.shard.count == 1;
     }
 };
 
-void write_share_picture(const SharePicture& picture, const std::filesystem::path& path,
+void write_shard_picture(const ShardPicture& picture, const std::filesystem::path& path,
                          double exposure_stops) {
-    if (path.extension() == ".h5") return write_share(path, picture.share);
+    if (path.extension() == ".h5") return write_shard(path, picture.shard);
     picture.write(path, {exposure_stops});
 }
 
-Share share_of(std::pair<int, int> number_and_count) {
+Shard shard_of(std::pair<int, int> number_and_count) {
     return {number_and_count.first, number_and_count.second};
 }
 
@@ -109,9 +109,9 @@ nb::object render(const std::filesystem::path& scene_name, const std::optional<P
                   const std::optional<std::pair<std::string, ModelChoices>>& model,
                   const RenderSettings& settings, const PictureParts& parts,
                   const nb::object& progress) {
-    const auto scene = [&](const Progress& ask) {
-        render::check(settings, parts.shard ? share_of(*parts.shard)
-                                            : Share{});  // before the paint is solved
+    const auto scene = [&](const Progress& callback) {
+        render::check(settings, parts.shard ? shard_of(*parts.shard)
+                                            : Shard{});  // before the paint is solved
         ScenePaints paints;
         if (paint) paints.slot = paint->paint;
         if (model) paints.model = render_model(model->first, model->second);
@@ -121,18 +121,20 @@ nb::object render(const std::filesystem::path& scene_name, const std::optional<P
                                          render::turning_called(parts.turntable->first),
                                          parts.turntable->second);
         }
-        return Scene(std::move(description), paints, [&](double) { return ask(0); });
+        return Scene(std::move(description), paints, [&](double) { return callback(0); });
     };
     if (!parts.shard) {
-        return nb::cast(
-            run(progress, [&](const Progress& ask) { return scene(ask).render(settings, ask); }));
+        return nb::cast(run(progress, [&](const Progress& callback) {
+            return scene(callback).render(settings, callback);
+        }));
     }
-    return nb::cast(run(progress, [&](const Progress& ask) {
-        const Scene shown = scene(ask);
-        const Share share = share_of(*parts.shard);
-        std::optional<PictureShare> found;
-        if (parts.resume) found = shown.find_share(*parts.resume, settings, share);
-        return SharePicture(found ? std::move(*found) : shown.render_share(settings, share, ask));
+    return nb::cast(run(progress, [&](const Progress& callback) {
+        const Scene shown = scene(callback);
+        const Shard shard = shard_of(*parts.shard);
+        std::optional<PictureShard> found;
+        if (parts.resume) found = shown.find_shard(*parts.resume, settings, shard);
+        return ShardPicture(found ? std::move(*found)
+                                  : shown.render_shard(settings, shard, callback));
     }));
 }
 
@@ -177,17 +179,17 @@ NB_MODULE(_render, module) {
                 nacre::io::write_exr_and_png(exr, p.image(), {exposure_stops});
             },
             "exr"_a, "exposure_stops"_a, nanobind::call_guard<nanobind::gil_scoped_release>());
-    nanobind::class_<SharePicture, Picture>(module, "SharePicture")
+    nanobind::class_<ShardPicture, Picture>(module, "ShardPicture")
         .def_prop_ro("shard",
-                     [](const SharePicture& p) {
-                         return std::pair(p.share.share.number, p.share.share.count);
+                     [](const ShardPicture& p) {
+                         return std::pair(p.shard.shard.number, p.shard.shard.count);
                      })
-        .def("write", &write_share_picture, "path"_a, "exposure_stops"_a,
+        .def("write", &write_shard_picture, "path"_a, "exposure_stops"_a,
              nanobind::call_guard<nanobind::gil_scoped_release>());
     module.def(
         "merge",
-        [](const std::vector<std::filesystem::path>& shares) {
-            return nacre::merge_shares(shares);
+        [](const std::vector<std::filesystem::path>& shards) {
+            return nacre::merge_shards(shards);
         },
         "shares"_a, nanobind::call_guard<nanobind::gil_scoped_release>());
     module.def(

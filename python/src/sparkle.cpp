@@ -90,13 +90,13 @@ void bind_sparkle(nb::module_& module) {
                                .seed = seed,
                                .unit_square_mm = panel_mm};
             settings.viewing = {distance_mm, illuminance_lx};
-            SparkleReadings readings = run(progress, [&](const Progress& ask) {
+            SparkleReadings readings = run(progress, [&](const Progress& callback) {
                 measure::check(settings.camera);  // before the paint is solved
                 measure::check(settings.viewing);
                 // A bar is for the pictures; solving only asks.
-                const Progress only_asks = [&](double) { return ask(0); };
+                const Progress only_asks = [&](double) { return callback(0); };
                 return measure_sparkle(*handle.paint.appearance(model, {}, only_asks), settings,
-                                       ask);
+                                       callback);
             });
             nb::dict result;
             result["flakes_resolved"] = readings.pictures.flakes_resolved;

@@ -12,7 +12,7 @@ namespace nacre::python {
 
 namespace {
 
-constexpr std::chrono::milliseconds kBetweenQuestions{50};
+constexpr std::chrono::milliseconds kPollInterval{50};
 
 /// What the waiting thread and the working one tell each other.
 struct Work {
@@ -67,7 +67,7 @@ void run_beside(const nb::object& progress, const std::function<void(const Progr
         {
             const nb::gil_scoped_release release;
             std::unique_lock lock(shared.mutex);
-            done = shared.changed.wait_for(lock, kBetweenQuestions, [&] { return shared.done; });
+            done = shared.changed.wait_for(lock, kPollInterval, [&] { return shared.done; });
         }
         if (raised) continue;
         try {

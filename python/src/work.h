@@ -29,7 +29,7 @@ template <class Work>
 auto run(const nb::object& progress, const Work& work) {
     using Result = std::invoke_result_t<const Work&, const Progress&>;
     std::optional<Result> result;
-    run_beside(progress, [&](const Progress& ask) { result.emplace(work(ask)); });
+    run_beside(progress, [&](const Progress& callback) { result.emplace(work(callback)); });
     return std::move(*result);
 }
 
@@ -43,11 +43,11 @@ void for_each(std::size_t n, const Body& body) {
         for (std::size_t i = 0; i < n; ++i) body(i);
         return;
     }
-    run_beside(nb::none(), [&](const Progress& ask) {
-        SharedProgress work(ask, static_cast<double>(n));
+    run_beside(nb::none(), [&](const Progress& callback) {
+        SharedProgress work(callback, static_cast<double>(n));
         parallel_for(0, n, [&](std::size_t i) {
             if (work.stopped()) return;
-            if (i % kFew == 0) work.ask();
+            if (i % kFew == 0) work.keep_going();
             body(i);
         });
     });

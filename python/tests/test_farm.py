@@ -53,7 +53,7 @@ def folder(nacre_program: Run, paints: Path, tmp_path: Path) -> Path:
 def test_frames_in_shares_are_those_of_one_process(
     folder: Path, nacre_program: Run, program_path: Path
 ) -> None:
-    done = run(folder, program_path, Shares=3, Frames="0-2:2", Turntable="camera", StepDegrees=-7.5)
+    done = run(folder, program_path, Shards=3, Frames="0-2:2", Turntable="camera", StepDegrees=-7.5)
     assert done.returncode == 0, done.stdout + done.stderr
     pictures = folder / "pictures"
     assert sorted(file.name for file in pictures.iterdir()) == [
@@ -73,7 +73,7 @@ def test_frames_in_shares_are_those_of_one_process(
 
 
 def test_a_share_that_fails_ends_the_job(folder: Path, program_path: Path) -> None:
-    done = run(folder, program_path, Shares=7)
+    done = run(folder, program_path, Shards=7)
     assert done.returncode != 0
     assert "--shard (of) = 7: must be a number in [1, 6]" in done.stdout
     assert not list((folder / "pictures").glob("*.exr"))

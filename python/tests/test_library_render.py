@@ -1,4 +1,4 @@
-"""``nacre-library render``: shares and frames through Dask and Slurm."""
+"""``nacre-library render``: shards and frames through Dask and Slurm."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def test_a_worker_that_is_killed_loses_nothing(whole: Path, tmp_path: Path) -> N
     from distributed import get_worker
 
     render = Render(
-        "macro", tmp_path / "x.exr", "ruby", spp=6, size=(24, 16), sparkle=True, shares=6
+        "macro", tmp_path / "x.exr", "ruby", spp=6, size=(24, 16), sparkle=True, shards=6
     )
     with engine.local_cluster(2) as client:
         before = client.run(os.getpid)
@@ -101,7 +101,7 @@ echo $(wc -l < {tmp_path}/calls)
 
 
 def test_what_is_there_is_kept(tmp_path: Path) -> None:
-    render = Render("macro", tmp_path / "x.exr", "ruby", spp=6, size=(8, 8), shares=2)
+    render = Render("macro", tmp_path / "x.exr", "ruby", spp=6, size=(8, 8), shards=2)
     piece = Piece(None, 1)
     file = render.render(piece)
     first = file.read_bytes()  # which holds the seconds that it took
@@ -115,7 +115,7 @@ def test_what_is_there_is_kept(tmp_path: Path) -> None:
     )
     assert (found.rgb == whole.rgb).all()
     # Another paint under the same name of the file.
-    Render("macro", tmp_path / "x.exr", "red-gold", spp=6, size=(8, 8), shares=2).render(piece)
+    Render("macro", tmp_path / "x.exr", "red-gold", spp=6, size=(8, 8), shards=2).render(piece)
     with pytest.raises(nacre.InputError, match=r"nacre:recipe_sha256:paint = .*, but .* has "):
         nacre.merge([render.render(Piece(None, 2)), file])
 
@@ -123,7 +123,7 @@ def test_what_is_there_is_kept(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        (("--shards", "7"), "shares = 7: must be in [1, 6]"),
+        (("--shards", "7"), "shards = 7: must be in [1, 6]"),
         (("--frames", "0:3"), "frames and turntable go together"),
         (("--turntable", "light"), "frames and turntable go together"),
         (("--step", "3"), "step: belongs to frames"),
@@ -137,7 +137,7 @@ def test_what_is_there_is_kept(tmp_path: Path) -> None:
         (("--set", "alpha=x"), "set = alpha=x: must be a number"),
         (("--set", "alpha=0.1", "--paint", ""), "set: belongs to --paint"),
         (("--set", "alphabet=1", "--task", "0"), "alphabet"),
-        (("--noise", "0.01"), "--noise: pieces are shares of a number of samples"),
+        (("--noise", "0.01"), "--noise: pieces are shards of a number of samples"),
         (("--video", "x.mp4"), "--video: make it of the frames"),
         (("--gamut", "rec2020"), "--gamut: nacre merge has it"),
         (("--workers", "0"), "workers = 0: must be at least 1"),

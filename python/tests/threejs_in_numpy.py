@@ -124,15 +124,15 @@ class Shader:
             self.layers.append(one)
         self.gaps: list[Gaps] = []
         self.ground: int | None = None  # light from below that met no flake
-        self.closing: int | None = None  # of the other multiple scattering, so that none is lost
+        self.compensation: int | None = None  # of the other multiple scattering, so that none is lost
         if a["hot_spot"] is not None:
             for s in a["hot_spot"]["species"]:
                 coupling = channel(at_bands(s["coupling"]))
                 self.gaps.append(Gaps(int(s["layer"]), float(s["diameter_um"]), coupling))
             if len(a["hot_spot"]["ground"]):
                 self.ground = channel(at_bands(a["hot_spot"]["ground"]))
-            if len(a["hot_spot"]["closing"]):
-                self.closing = channel(at_bands(a["hot_spot"]["closing"]))
+            if len(a["hot_spot"]["compensation"]):
+                self.compensation = channel(at_bands(a["hot_spot"]["compensation"]))
         self.albedo = channel(np.pad(a["albedo"] @ film_weights(nm).T, ((0, 0), (0, BANDS - 3))))
         if self.roughness > 0:
             self.masked = channel(at_bands(a["masked"] * np.sqrt(a["diffuse_scale"])))
@@ -241,13 +241,13 @@ class Shader:
     def other(self, wi: Floats, wo: Floats, pair: Pair) -> Floats:
         """Multiple scattering, (N, 3)."""
         value: Floats = self.multiple(wi, wo, pair) / (pair.i[:, 2:] + pair.o[:, 2:])
-        if self.closing is None:
+        if self.compensation is None:
             return value
-        closing = self.both(self.closing, pair)
-        value = value * (closing @ self.rgb.T)
+        compensation = self.both(self.compensation, pair)
+        value = value * (compensation @ self.rgb.T)
         if self.ground is not None:
             gain = self.gain(pair, len(self.layers) - 1, np.ones(len(wi)))
-            value += ((np.exp(gain) - closing) * self.both(self.ground, pair)) @ self.rgb.T
+            value += ((np.exp(gain) - compensation) * self.both(self.ground, pair)) @ self.rgb.T
         return value
 
     def interface(self, wi: Floats, wo: Floats, pair: Pair) -> Floats:

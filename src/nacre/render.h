@@ -13,7 +13,7 @@
 #include "nacre/nacre.h"
 #include "nacre/render/render.h"
 #include "nacre/render/scene.h"
-#include "nacre/render/share_file.h"
+#include "nacre/render/shard_file.h"
 
 // The part of the front door (nacre/nacre.h) that needs ray tracing: pictures of painted scenes.
 //
@@ -27,10 +27,10 @@ namespace nacre {
 using io::ToneMap;
 using montecarlo::ExplicitFlakesModel;
 using RenderSettings = render::RenderOptions;
-using render::PictureShare;
-using render::read_share;
-using render::Share;
-using render::write_share;
+using render::PictureShard;
+using render::read_shard;
+using render::Shard;
+using render::write_shard;
 
 /// A scene file, or a built-in scene by its name ("sphere"); a file of that name comes first.
 /// @throws InputError naming the file and what is wrong in it, or the scenes that there are
@@ -64,13 +64,13 @@ struct Picture {
     void write(const std::filesystem::path& path, const ToneMap& tone_map = {}) const;
 };
 
-/// The picture of the shares in these files, which must be all of one picture, each once, in any
+/// The picture of the shards in these files, which must be all of one picture, each once, in any
 /// order: the one that Scene::render() makes, bit for bit, but for the seconds, which are added up.
-/// @throws InputError as read_share(); naming a file, what does not fit, and both values if it holds a
-///         share of another picture; if a share is missing or there twice
-Picture merge_shares(std::span<const std::filesystem::path> files);
+/// @throws InputError as read_shard(); naming a file, what does not fit, and both values if it holds a
+///         shard of another picture; if a shard is missing or there twice
+Picture merge_shards(std::span<const std::filesystem::path> files);
 
-/// A scene ready to be rendered; a value, copies share what it holds.
+/// A scene ready to be rendered; a value, copies shard what it holds.
 class Scene {
  public:
     /// Reads the files that the scene names and makes each paint once for all materials and shapes
@@ -87,7 +87,7 @@ class Scene {
     const std::map<std::string, std::string>& recipe_sha256() const { return recipe_sha256_; }
     /// Model::text() of the model that shows it, by material; of measured BRDFs none.
     const std::map<std::string, std::string>& model_settings() const { return model_settings_; }
-    /// SHA-256 of all that is seen, whatever its files are called: shares of one picture have the same.
+    /// SHA-256 of all that is seen, whatever its files are called: shards of one picture have the same.
     const std::string& sha256() const { return sha256_; }
     /// The model's name, or "measured" where no recipe is seen.
     const std::string& model_name() const { return model_name_; }
@@ -99,15 +99,15 @@ class Scene {
     /// The same bits for any number of threads; where `progress` asks to stop, what there is.
     /// @throws DomainError naming a setting out of range
     Picture render(const RenderSettings& settings = {}, const Progress& progress = {}) const;
-    /// One share of that picture's samples; merge_shares() makes the picture of all of them.
+    /// One shard of that picture's samples; merge_shards() makes the picture of all of them.
     /// @throws DomainError naming a setting out of range; Stopped if `progress` asks to stop
-    PictureShare render_share(const RenderSettings& settings, const Share& share,
+    PictureShard render_shard(const RenderSettings& settings, const Shard& shard,
                               const Progress& progress = {}) const;
-    /// That share where a file holds it already, of an earlier run; none if there is no such file, or
+    /// That shard where a file holds it already, of an earlier run; none if there is no such file, or
     /// it is damaged or holds something else.
-    std::optional<PictureShare> find_share(const std::filesystem::path& file,
+    std::optional<PictureShard> find_shard(const std::filesystem::path& file,
                                            const RenderSettings& settings,
-                                           const Share& share) const;
+                                           const Shard& shard) const;
     /// The samples a pixel that a noise needs: render::samples_for_noise().
     /// @throws DomainError naming a setting out of range; Stopped if `progress` asks to stop
     int samples_for_noise(const RenderSettings& settings, double noise, int most,
@@ -115,7 +115,7 @@ class Scene {
 
  private:
     std::map<std::string, std::string> metadata(const RenderSettings& settings) const;
-    PictureShare share_of(const RenderSettings& settings, const Share& share,
+    PictureShard shard_of(const RenderSettings& settings, const Shard& shard,
                           render::RenderSums sums) const;
 
     std::string name_, model_name_, sha256_;

@@ -1,6 +1,6 @@
-"""Long renders on many machines: shares of a picture's samples, and the frames of an animation.
+"""Long renders on many machines: shards of a picture's samples, and the frames of an animation.
 
-A render is cut into pieces, each a share of a frame, which is a file of its own beside the picture.
+A render is cut into pieces, each a shard of a frame, which is a file of its own beside the picture.
 Pieces are made by Dask's workers or by the tasks of a Slurm array, in any order; the pieces of a
 frame are merged into the picture of one process, bit for bit. A piece that is there already, of a
 run that was killed, is kept if it is a piece of this very picture.
@@ -23,15 +23,15 @@ from . import engine, slurm
 from .record import write_whole
 
 ELSEWHERE = {
-    "--noise": "pieces are shares of a number of samples: say it with --spp, as nacre render "
+    "--noise": "pieces are shards of a number of samples: say it with --spp, as nacre render "
     "--noise finds it on a small picture",
     "--video": "make it of the frames: ffmpeg -framerate 24 -i x.%04d.png x.mp4",
-    "--gamut": "nacre merge has it: render the pieces with --task, then nacre merge x.shares/*.h5 "
+    "--gamut": "nacre merge has it: render the pieces with --task, then nacre merge x.shards/*.h5 "
     "--gamut display-p3 -o x.exr",
 }
 """Options of ``nacre render`` that pieces cannot have, and what to do."""
 
-ABOUT = "Renders a picture in shares, or the frames of an animation, on many processors."
+ABOUT = "Renders a picture in shards, or the frames of an animation, on many processors."
 LAST_FRAME = 999_999
 
 
@@ -41,7 +41,7 @@ class Piece:
 
     frame: int | None
     number: int
-    """of the share, from 1"""
+    """of the shard, from 1"""
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,7 @@ class Render:
     """empty: the usual one"""
     model_options: tuple[tuple[str, str], ...] = ()
     spp: int = 64
-    """of all shares together"""
+    """of all shards together"""
     size: tuple[int, int] = (512, 512)
     seed: int = 0
     """frame i of an animation has seed + i"""
@@ -73,7 +73,7 @@ class Render:
     sparkle: bool = False
     spectral_bins: int = 0
     exposure: float = 0.0
-    shares: int = 1
+    shards: int = 1
     """of each picture"""
     frames: tuple[int, int] | None = None
     """the first and the last"""
@@ -84,9 +84,9 @@ class Render:
     def __post_init__(self) -> None:
         if self.output.suffix != ".exr":
             raise nacre.SettingError(f"output = {self.output}: must end in .exr")
-        if not 1 <= self.shares <= self.spp:
+        if not 1 <= self.shards <= self.spp:
             raise nacre.SettingError(
-                f"shares = {self.shares}: must be in [1, {self.spp}], the samples of a pixel"
+                f"shards = {self.shards}: must be in [1, {self.spp}], the samples of a pixel"
             )
         if (self.frames is None) != (not self.turntable):
             raise nacre.SettingError("frames and turntable go together: a range, and what turns")
@@ -103,24 +103,24 @@ class Render:
     @property
     def folder(self) -> Path:
         """Of the pieces, until they are merged."""
-        return self.output.with_suffix(".shares")
+        return self.output.with_suffix(".shards")
 
     def pictures(self) -> Sequence[int | None]:
         """The frames; one None: a picture."""
         return [None] if self.frames is None else range(self.frames[0], self.frames[1] + 1)
 
     def pieces(self) -> list[Piece]:
-        """The shares of each frame, frame by frame; task k of a Slurm array renders pieces()[k]."""
-        return [Piece(f, i + 1) for f in self.pictures() for i in range(self.shares)]
+        """The shards of each frame, frame by frame; task k of a Slurm array renders pieces()[k]."""
+        return [Piece(f, i + 1) for f in self.pictures() for i in range(self.shards)]
 
     def picture_file(self, frame: int | None) -> Path:
         """The .exr of a frame."""
         return self.output if frame is None else self.output.with_suffix(f".{frame:04}.exr")
 
-    def share_file(self, piece: Piece) -> Path:
+    def shard_file(self, piece: Piece) -> Path:
         """The .h5 of a piece."""
         frame = "" if piece.frame is None else f"{piece.frame:04}."
-        return self.folder / f"{frame}{piece.number}-of-{self.shares}.h5"
+        return self.folder / f"{frame}{piece.number}-of-{self.shards}.h5"
 
     def angle_deg(self, frame: int) -> float:
         """By which a frame is turned."""
@@ -139,7 +139,7 @@ class Render:
             Of the whole process.
         """
         nacre.set_threads(threads)
-        file = self.share_file(piece)
+        file = self.shard_file(piece)
         file.parent.mkdir(parents=True, exist_ok=True)
         model = nacre.Model(self.model, **dict(self.model_options)) if self.model else None
         turn = None if piece.frame is None else (self.turntable, self.angle_deg(piece.frame))
@@ -154,7 +154,7 @@ class Render:
             sparkle=self.sparkle,
             spectral_bins=self.spectral_bins,
             turntable=turn,
-            shard=(piece.number, self.shares),
+            shard=(piece.number, self.shards),
             resume=file,
         )
         picture.write(file)
@@ -162,15 +162,15 @@ class Render:
 
     def merge(self, frame: int | None) -> Path:
         """Writes the .exr of a frame, and the .png beside it, from all its pieces."""
-        shares = [self.share_file(p) for p in self.pieces() if p.frame == frame]
+        shards = [self.shard_file(p) for p in self.pieces() if p.frame == frame]
         file = self.picture_file(frame)
-        nacre.merge(shares).write_exr_and_png(file, exposure_stops=self.exposure)
+        nacre.merge(shards).write_exr_and_png(file, exposure_stops=self.exposure)
         return file
 
     def tidy(self) -> None:
         """Deletes the pieces, once all pictures are there, and their folder if nothing is left."""
         for piece in self.pieces():
-            self.share_file(piece).unlink(missing_ok=True)
+            self.shard_file(piece).unlink(missing_ok=True)
         if self.folder.is_dir() and not any(self.folder.iterdir()):
             self.folder.rmdir()
 
@@ -185,7 +185,7 @@ class Render:
             "--depth": self.depth,
             "--spectral-bins": self.spectral_bins,
             "--exposure": self.exposure,
-            "--shards": self.shares,
+            "--shards": self.shards,
             "--turntable": self.turntable,
             "--step": self.step_deg,
             "--output": self.output,
@@ -207,12 +207,12 @@ def _render_piece(render: Render, piece: Piece) -> Path | nacre.Error:
 
 
 def _merge_frame(
-    render: Render, frame: int | None, *shares: Path | nacre.Error
+    render: Render, frame: int | None, *shards: Path | nacre.Error
 ) -> Path | nacre.Error:
-    """The task after those that write the shares."""
-    for share in shares:
-        if isinstance(share, nacre.Error):
-            return share
+    """The task after those that write the shards."""
+    for shard in shards:
+        if isinstance(shard, nacre.Error):
+            return shard
     try:
         return render.merge(frame)
     except nacre.Error as error:
@@ -239,24 +239,24 @@ def run(render: Render, client: Any, progress: bool = False) -> list[Path]:
     """
     from distributed import as_completed
 
-    pictures, shares = [], []
+    pictures, shards = [], []
     for frame in render.pictures():
         pieces = [
             client.submit(_render_piece, render, piece, pure=False)
             for piece in render.pieces()
             if piece.frame == frame
         ]
-        shares += pieces
+        shards += pieces
         pictures.append(client.submit(_merge_frame, render, frame, *pieces, pure=False))
     try:
-        with engine.progress_bar(len(shares) + len(pictures), progress, "piece") as bar:
-            for future in as_completed([*shares, *pictures]):
+        with engine.progress_bar(len(shards) + len(pictures), progress, "piece") as bar:
+            for future in as_completed([*shards, *pictures]):
                 result = future.result()
                 if isinstance(result, nacre.Error):
                     raise result
                 bar.update()
     except BaseException:
-        client.cancel([*shares, *pictures])
+        client.cancel([*shards, *pictures])
         raise
     return [future.result() for future in pictures]
 
@@ -410,7 +410,7 @@ def _render_of(arguments: argparse.Namespace) -> Render:
         sparkle=arguments.sparkle,
         spectral_bins=arguments.spectral_bins,
         exposure=arguments.exposure,
-        shares=arguments.shards,
+        shards=arguments.shards,
         frames=_whole_numbers("frames", arguments.frames, ":") if arguments.frames else None,
         turntable=arguments.turntable,
         step_deg=arguments.step,

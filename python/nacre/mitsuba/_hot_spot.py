@@ -101,13 +101,13 @@ class HotSpot(MeanFlakes):
 
     def multiple(self, pair: Pair, value: Wide) -> Wide:
         tables = self.smooth.directions
-        if not tables.has("closing"):
+        if not tables.has("compensation"):
             return value
-        closing = tables.of(pair.i, "closing") * tables.of(pair.o, "closing")
+        compensation = tables.of(pair.i, "compensation") * tables.of(pair.o, "compensation")
         if not tables.has("ground"):
-            return closing * value
+            return compensation * value
         once = tables.of(pair.i, "ground") * tables.of(pair.o, "ground")
         gain = self.gain(
             pair, len(self.thickness) - 1, mi.Float(1), self.spread(pair), self.couplings(pair)
         )
-        return closing * dr.maximum(value - once, 0) + dr.exp(dr.minimum(gain, MAX_GAIN)) * once
+        return compensation * dr.maximum(value - once, 0) + dr.exp(dr.minimum(gain, MAX_GAIN)) * once

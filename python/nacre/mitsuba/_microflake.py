@@ -125,7 +125,7 @@ class DirectionTables:
         if hot_spot is not None:
             for n, species in enumerate(hot_spot["species"]):
                 named[f"coupling {n}"] = species["coupling"]
-            for name in ("ground", "closing"):
+            for name in ("ground", "compensation"):
                 if len(hot_spot[name]):
                     named[name] = hot_spot[name]
         # Of what is looked up together a power of two is fetched at once.

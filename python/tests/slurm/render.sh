@@ -21,9 +21,9 @@ start_cluster
 echo "a picture in 6 shares"
 picture=(macro --paint glitter-100um --size 160x120 --sparkle)
 "$program" render "${picture[@]}" --spp 24 --quiet -o whole.exr
-render "${picture[@]}" --spp 24 --shards 6 -o shares.exr
+render "${picture[@]}" --spp 24 --shards 6 -o shards.exr
 await_jobs
-same whole shares
+same whole shards
 
 echo "once more, with a task that is killed and starts again"
 render "${picture[@]}" --spp 480 --shards 6 -o rough.exr | tee jobs
@@ -34,7 +34,7 @@ await_jobs
 "$program" render "${picture[@]}" --spp 480 --quiet -o whole.exr
 same whole rough
 
-echo "three frames in 2 shares each"
+echo "three frames in 2 shards each"
 turning=(curved-panel --paint red-gold --spp 8 --size 64x48 --frames 0:2 --turntable shape --step 5)
 "$program" render "${turning[@]}" --quiet -o one.exr
 render "${turning[@]}" --shards 2 -o turn.exr

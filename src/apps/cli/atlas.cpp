@@ -131,8 +131,8 @@ datasheet::Atlas atlas_of_recipe(const AtlasOptions& options, const Progress& pr
         const MeasureSettings settings{.model = model_for({&paint}, options.model, true),
                                        .illuminant = conditions.illuminant,
                                        .observer = conditions.observer};
-        read = [settings, geometries](const paint::Recipe& changed, const Progress& ask) {
-            return Paint(changed).measure(geometries, settings, ask).measurement;
+        read = [settings, geometries](const paint::Recipe& changed, const Progress& callback) {
+            return Paint(changed).measure(geometries, settings, callback).measurement;
         };
     }
     try {

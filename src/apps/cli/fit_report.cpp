@@ -155,7 +155,7 @@ void add_verdict(Text& text, const fit::Fit& fit) {
         if (shortfall.angles.size() > kMaxAnglesNamed) {
             angles += fmt::format(" and at {} more", shortfall.angles.size() - kMaxAnglesNamed);
         }
-        text.line("  {} ({:.0f} %): {}", name_of(shortfall.attribute), 100 * shortfall.share,
+        text.line("  {} ({:.0f} %): {}", name_of(shortfall.attribute), 100 * shortfall.fraction,
                   angles);
     }
     if (fit.remedies.empty()) {
@@ -191,7 +191,7 @@ void add_verdict(nlohmann::json& document, const fit::Fit& fit) {
                               {"delta_e_2000", at.delta_e_2000}});
         }
         document["missing"].push_back({{"attribute", name_of(shortfall.attribute)},
-                                       {"share", shortfall.share},
+                                       {"share", shortfall.fraction},
                                        {"angles", std::move(angles)}});
     }
     for (const fit::Remedy& remedy : fit.remedies) {

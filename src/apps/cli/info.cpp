@@ -26,7 +26,7 @@
 #include "nacre/paint/orientation.h"
 #include "nacre/render/mesh_file.h"
 #include "nacre/render/scene_file.h"
-#include "nacre/render/share_file.h"
+#include "nacre/render/shard_file.h"
 
 namespace nacre::cli {
 
@@ -277,16 +277,16 @@ void describe_image(Facts& facts, const std::string& bytes, const std::string& n
     for (const auto& [key, value] : image.metadata) facts.add(key, "{}", value);
 }
 
-void describe_picture_share(Facts& facts, const std::string& bytes, const std::string& name) {
-    const render::PictureShare share = render::parse_share(bytes, name);
+void describe_picture_shard(Facts& facts, const std::string& bytes, const std::string& name) {
+    const render::PictureShard shard = render::parse_shard(bytes, name);
     facts.add("kind", "share {}/{} of a picture (HDF5, format {}); nacre merge puts all together",
-              share.share.number, share.share.count, render::kShareFormatVersion);
+              shard.shard.number, shard.shard.count, render::kShardFormatVersion);
     facts.add("bytes", "{}", bytes.size());
-    facts.add("samples", "{} of {} per pixel", share.sums.picture.passes.count,
-              share.options.samples_per_pixel);
-    facts.add("seconds", "{:.3g}", share.sums.seconds);
-    for (const auto& [key, value] : render::identity_of(share)) facts.add(key, "{}", value);
-    facts.add("nacre:scene", "{}", share.metadata.at("nacre:scene"));
+    facts.add("samples", "{} of {} per pixel", shard.sums.picture.passes.count,
+              shard.options.samples_per_pixel);
+    facts.add("seconds", "{:.3g}", shard.sums.seconds);
+    for (const auto& [key, value] : render::identity_of(shard)) facts.add(key, "{}", value);
+    facts.add("nacre:scene", "{}", shard.metadata.at("nacre:scene"));
 }
 
 /// So that no output is a file that one of its recipes names: nothing else of theirs is asked.
@@ -337,8 +337,8 @@ std::string describe(const InfoOptions& options) {
         case io::FileKind::brdf_table:
             describe_brdf_table(facts, file.bytes, file.name);
             break;
-        case io::FileKind::picture_share:
-            describe_picture_share(facts, file.bytes, file.name);
+        case io::FileKind::picture_shard:
+            describe_picture_shard(facts, file.bytes, file.name);
             break;
         case io::FileKind::rgl:
             describe_rgl(facts, file.bytes, file.name);

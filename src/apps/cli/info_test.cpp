@@ -56,7 +56,7 @@ TEST_F(Info, OpensWhatNacreWrites) {
           "export gray.toml --resolution 8 --incidences 8 -o gray.bsdf",
           "atlas --film TiO2_anatase --thickness 40:80:20 -o atlas.csv",
           "render sphere --paint gray.toml --spp 1 --size 2x2 -o picture.exr",
-          "render sphere --paint gray.toml --spp 4 --size 2x2 --shard 2/3 -o share.h5"}) {
+          "render sphere --paint gray.toml --spp 4 --size 2x2 --shard 2/3 -o shard.h5"}) {
         const Outcome outcome = nacre(command);
         ASSERT_EQ(outcome.status, 0) << command << '\n' << outcome.err;
     }
@@ -103,7 +103,7 @@ TEST_F(Info, OpensWhatNacreWrites) {
     EXPECT_THAT(told("picture.exr"), HasSubstr("size: 2 x 2 pixels"));
     EXPECT_THAT(told("picture.png"), HasSubstr("kind: picture"));
     EXPECT_THAT(told("share.h5"),
-                AllOf(HasSubstr("kind: share 2/3 of a picture"),
+                AllOf(HasSubstr("kind: shard 2/3 of a picture"),
                       HasSubstr("samples: 1 of 4 per pixel"), HasSubstr("nacre:scene: sphere")));
 }
 

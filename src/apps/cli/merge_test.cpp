@@ -21,9 +21,9 @@ TEST_F(Program, MergeWritesTheFilesOfOneProcess) {
     ASSERT_EQ(nacre(kMacro + "--sparkle --spectral-bins 5 -o whole.exr").status, 0);
     for (const char* number : {"1", "2", "3"}) {
         const std::string n = number;
-        const Outcome share = nacre(kMacro + "--sparkle --spectral-bins 5 --shard " + n +
+        const Outcome shard = nacre(kMacro + "--sparkle --spectral-bins 5 --shard " + n +
                                     "/3 -o part." + n + ".h5 --report part." + n + ".json");
-        ASSERT_EQ(share.status, 0) << share.err;
+        ASSERT_EQ(shard.status, 0) << shard.err;
     }
     EXPECT_FALSE(exists("part.1.png"));
     const Outcome merged =
@@ -31,7 +31,7 @@ TEST_F(Program, MergeWritesTheFilesOfOneProcess) {
     ASSERT_EQ(merged.status, 0) << merged.err;
     EXPECT_THAT(merged.err, AllOf(HasSubstr("merged.exr and merged.png: 24 x 16 pixels, 10 samples "
                                             "each, noise "),
-                                  HasSubstr("of 3 shares")));
+                                  HasSubstr("of 3 shards")));
     EXPECT_EQ(contents(folder_ / "merged.exr"), contents(folder_ / "whole.exr"));
     EXPECT_EQ(contents(folder_ / "merged.png"), contents(folder_ / "whole.png"));
     // What was done adds up.
@@ -75,24 +75,24 @@ TEST_F(Program, MergeSaysAsMuchAsOneProcessOfHowItWasMade) {
 TEST_F(Program, MergeRefusesWhatIsNotOnePicture) {
     ASSERT_EQ(nacre(kMacro + "--shard 1/2 -o a.h5").status, 0);
     ASSERT_EQ(nacre(kMacro + "--shard 2/2 --specimen 3 -o other.h5").status, 0);
-    const auto refused = [&](const std::string& shares) {
-        const Outcome outcome = nacre("merge " + shares + " -o x.exr");
-        EXPECT_EQ(outcome.status, 2) << shares;
-        EXPECT_FALSE(exists("x.exr")) << shares;
+    const auto refused = [&](const std::string& shards) {
+        const Outcome outcome = nacre("merge " + shards + " -o x.exr");
+        EXPECT_EQ(outcome.status, 2) << shards;
+        EXPECT_FALSE(exists("x.exr")) << shards;
         return outcome.err;
     };
-    EXPECT_THAT(refused("a.h5"), HasSubstr("a.h5: of its picture, shares are missing: 2/2"));
-    EXPECT_THAT(refused("a.h5 a.h5"), HasSubstr("a.h5: holds the share 1/2, as does a.h5"));
+    EXPECT_THAT(refused("a.h5"), HasSubstr("a.h5: of its picture, shards are missing: 2/2"));
+    EXPECT_THAT(refused("a.h5 a.h5"), HasSubstr("a.h5: holds the shard 1/2, as does a.h5"));
     EXPECT_THAT(refused("a.h5 other.h5"),
-                HasSubstr("other.h5: nacre:specimen = 3, but a.h5 has 0: they are shares of "
+                HasSubstr("other.h5: nacre:specimen = 3, but a.h5 has 0: they are shards of "
                           "different pictures"));
-    EXPECT_THAT(refused("gray.toml"), HasSubstr("gray.toml: is a recipe; a share of a picture"));
+    EXPECT_THAT(refused("gray.toml"), HasSubstr("gray.toml: is a recipe; a shard of a picture"));
     EXPECT_EQ(nacre("merge a.h5 -o x.png").status, 1);
     EXPECT_THAT(nacre("eval a.h5 --incident 45 --outgoing 30").err,
-                HasSubstr("a share of a picture; nacre merge puts the shares together"));
+                HasSubstr("a shard of a picture; nacre merge puts the shards together"));
 }
 
-TEST_F(Program, RenderRefusesSharesThatMakeNoSense) {
+TEST_F(Program, RenderRefusesShardsThatMakeNoSense) {
     const auto refused = [&](const std::string& options) {
         const Outcome outcome = nacre(kMacro + options);
         EXPECT_EQ(outcome.status, 1) << options << outcome.err;
@@ -110,7 +110,7 @@ TEST_F(Program, RenderRefusesSharesThatMakeNoSense) {
     EXPECT_THAT(refused("-o s.h5 --shard 1/2 --exposure 1"), HasSubstr("belong to nacre merge"));
 }
 
-TEST_F(Program, FramesHaveSharesToo) {
+TEST_F(Program, FramesHaveShardsToo) {
     const std::string turning = "--frames 1:2 --turntable camera --step 10 ";
     ASSERT_EQ(nacre(kMacro + turning + "-o whole.exr").status, 0);
     ASSERT_EQ(nacre(kMacro + turning + "--shard 1/2 -o a.h5").status, 0);

@@ -23,7 +23,7 @@ namespace nacre::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using Look = std::shared_ptr<const bsdf::Bsdf>;
+using Surface = std::shared_ptr<const bsdf::Bsdf>;
 
 struct PanelOptions : CommonOptions {
     std::string recipe, versus;
@@ -53,15 +53,15 @@ Quality quality_of(const PanelOptions& options) {
 }
 
 /// Renders with a progress bar.
-report::Picture picture(const PanelOptions& options, const Look& look, const std::string& caption,
-                        const datasheet::PictureSettings& settings) {
+report::Picture picture(const PanelOptions& options, const Surface& surface,
+                        const std::string& caption, const datasheet::PictureSettings& settings) {
     ProgressBar bar(settings.scene, options.quiet);
-    return {caption, datasheet::painted_picture(look, settings, bar.callback())};
+    return {caption, datasheet::painted_picture(surface, settings, bar.callback())};
 }
 
 /// @param standard  null: not to be drawn
-std::vector<report::Picture> pictures(const PanelOptions& options, const Look& sample,
-                                      const Look& standard, const Quality& quality) {
+std::vector<report::Picture> pictures(const PanelOptions& options, const Surface& sample,
+                                      const Surface& standard, const Quality& quality) {
     const datasheet::PictureSettings small{.scene = "sphere",
                                            .width = quality.small_side,
                                            .height = quality.small_side,
@@ -78,10 +78,10 @@ std::vector<report::Picture> pictures(const PanelOptions& options, const Look& s
     return all;
 }
 
-measure::SparkleMeasurement sparkle(const PanelOptions& options, const Look& look,
+measure::SparkleMeasurement sparkle(const PanelOptions& options, const Surface& surface,
                                     const Quality& quality) {
     ProgressBar bar("sparkle", options.quiet);
-    return measure_sparkle(*look, {quality.camera}, bar.callback()).measurement;
+    return measure_sparkle(*surface, {quality.camera}, bar.callback()).measurement;
 }
 
 /// Refuses wrong options before a minute of work.
@@ -106,8 +106,8 @@ Paint open_panel(const PanelOptions& options, const std::string& file) {
 }
 
 /// The surface of the standard; null without a standard, or where it has only colours.
-Look standard_look(const PanelOptions& options, const std::optional<Paint>& standard,
-                   const bsdf::Model& model) {
+Surface standard_surface(const PanelOptions& options, const std::optional<Paint>& standard,
+                         const bsdf::Model& model) {
     if (!standard || standard->kind() == Kind::measured_colours) return nullptr;
     if (standard->is_measured()) return standard->appearance();
     ProgressBar bar("solve", options.quiet);
@@ -144,7 +144,7 @@ ExitStatus run(const PanelOptions& options) {
     const InterruptHandler interrupt;
     const Stopwatch watch;
 
-    const Look look = [&] {
+    const Surface surface = [&] {
         ProgressBar bar("solve", options.quiet);
         return paint.appearance(model, {}, bar.callback());
     }();
@@ -180,12 +180,12 @@ ExitStatus run(const PanelOptions& options) {
     page.title = page.sample.name;
     page.uncertainty = uncertainty_beside(options, paint, page.sample, instrument.settings);
     const Quality quality = quality_of(options);
-    if (model.info().can.sparkle) page.sparkle = sparkle(options, look, quality);
-    const Look of_standard = standard_look(options, versus, model);
+    if (model.info().can.sparkle) page.sparkle = sparkle(options, surface, quality);
+    const Surface of_standard = standard_surface(options, versus, model);
     if (page.sparkle && of_standard && versus->has_recipe()) {
         page.standard->sparkle = sparkle(options, of_standard, quality);
     }
-    page.pictures = pictures(options, look, of_standard, quality);
+    page.pictures = pictures(options, surface, of_standard, quality);
     emit(options, datasheet::panel_report_html(page));
 
     if (!is_standard_output(options.output)) say(options, options.output);

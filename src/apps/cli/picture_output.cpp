@@ -71,7 +71,7 @@ void check_extension(const CommonOptions& options, const std::string& extension)
 
 void warn_of_picture(const CommonOptions& options, const render::RenderResult& result,
                      const std::string& scene) {
-    if (std::ranges::all_of(result.alpha, [](float share) { return share == 0; })) {
+    if (std::ranges::all_of(result.alpha, [](float alpha) { return alpha == 0; })) {
         warn(options, fmt::format("{}: the camera sees no shape, only what surrounds the scene; is "
                                   "a mesh of another size (mm_per_unit), or the camera elsewhere?",
                                   scene));

@@ -119,7 +119,7 @@ int samples_for(const RenderCommandOptions& options, const Scene& scene) {
                                    options.spp.value_or(kMaxSamplesForNoise), bar.callback());
 }
 
-/// Of a picture and a share.
+/// Of a picture and a shard.
 void add_scene_report(nlohmann::json& report, const RenderCommandOptions& options,
                       const Scene& scene, const render::RenderOptions& how) {
     report["scene"] = options.scene;
@@ -133,30 +133,30 @@ void add_scene_report(nlohmann::json& report, const RenderCommandOptions& option
     report["specimen"] = scene.specimen() ? nlohmann::json(*scene.specimen()) : nullptr;
 }
 
-/// Renders a share of one picture and writes it. @return for the report
-nlohmann::json render_share_to(const RenderCommandOptions& options, const Scene& scene,
+/// Renders a shard of one picture and writes it. @return for the report
+nlohmann::json render_shard_to(const RenderCommandOptions& options, const Scene& scene,
                                const fs::path& file) {
     render::RenderOptions how = options.render;
     how.noise = true;
-    PictureShare share = [&] {
+    PictureShard shard = [&] {
         ProgressBar bar("render", options.quiet);
-        return scene.render_share(how, *options.share, bar.callback());
+        return scene.render_shard(how, *options.shard, bar.callback());
     }();
-    share.metadata["nacre:scene"] = options.scene;
-    write_share(file, share);
-    const int samples = render::samples_of(how, *options.share);
+    shard.metadata["nacre:scene"] = options.scene;
+    write_shard(file, shard);
+    const int samples = render::samples_of(how, *options.shard);
     say(options,
-        fmt::format("{}: share {}/{} of {} x {} pixels, {} of {} samples each, {}", file.string(),
-                    options.share->number, options.share->count, how.width, how.height, samples,
-                    how.samples_per_pixel, duration_text(share.sums.seconds)));
+        fmt::format("{}: shard {}/{} of {} x {} pixels, {} of {} samples each, {}", file.string(),
+                    options.shard->number, options.shard->count, how.width, how.height, samples,
+                    how.samples_per_pixel, duration_text(shard.sums.seconds)));
     nlohmann::json report = {{"output", {file.string()}},
                              {"width", how.width},
                              {"height", how.height},
-                             {"share", options.share->number},
-                             {"shares", options.share->count},
+                             {"share", options.shard->number},
+                             {"shares", options.shard->count},
                              {"samples_per_pixel", samples},
                              {"complete", true},
-                             {"render_s", share.sums.seconds}};
+                             {"render_s", shard.sums.seconds}};
     add_scene_report(report, options, scene, how);
     return report;
 }
@@ -195,7 +195,7 @@ nlohmann::json render_picture_to(const RenderCommandOptions& options, const Scen
 
 nlohmann::json render_to(const RenderCommandOptions& options, const Scene& scene,
                          const fs::path& output) {
-    return options.share ? render_share_to(options, scene, output)
+    return options.shard ? render_shard_to(options, scene, output)
                          : render_picture_to(options, scene, output);
 }
 
@@ -209,7 +209,7 @@ CommandFiles frame_files(const RenderCommandOptions& options, long frame) {
     const fs::path file = frame_file(options.output, frame);
     files.files = {
         {"--report", options.report}, {"--output", file.string()}, {"--video", options.video.path}};
-    if (!options.shard) add_png_beside(files, file);
+    if (!options.shard_text) add_png_beside(files, file);
     return files;
 }
 
@@ -275,8 +275,8 @@ ExitStatus run(RenderCommandOptions options) {
     options.render.seed = options.seed;
     if (options.spp) options.render.samples_per_pixel = *options.spp;
     render::check(options.render);
-    if (options.shard) {
-        options.share = parse_share(*options.shard, options.render.samples_per_pixel);
+    if (options.shard_text) {
+        options.shard = parse_shard(*options.shard_text, options.render.samples_per_pixel);
     }
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
@@ -296,10 +296,10 @@ ExitStatus run(RenderCommandOptions options) {
 }
 
 CommandFiles files(const RenderCommandOptions& options) {
-    check_extension(options, options.shard ? ".h5" : ".exr");
+    check_extension(options, options.shard_text ? ".h5" : ".exr");
     if (!options.frames.empty()) return frame_files(options, parse_frames(options.frames).first);
     CommandFiles files = files_of(options, {options.scene, options.paint, options.brdf});
-    if (!options.shard) add_png_beside(files, options.output);
+    if (!options.shard_text) add_png_beside(files, options.output);
     return files;
 }
 

@@ -91,8 +91,8 @@ void add_render_options(CLI::App& command, RenderCommandOptions& options) {
         ->check(in_range(0, 300))
         ->capture_default_str();
     command
-        .add_option("--shard", options.shard,
-                    "Render share I of N of the samples only, as 2/8, for nacre merge; -o then "
+        .add_option("--shard", options.shard_text,
+                    "Render shard I of N of the samples only, as 2/8, for nacre merge; -o then "
                     "names an .h5")
         ->type_name("I/N");
     add_tone_map(command, options.tone_map);
@@ -107,7 +107,7 @@ void add_render_options(CLI::App& command, RenderCommandOptions& options) {
         "for denoisers, and the settings; the PNG is tone-mapped for looking at. With --sparkle,\n"
         "take sparkle from the picture, denoise the rest and add it again. For a given seed\n"
         "the picture does not depend on the number of threads. Ctrl-C writes what is there, marks\n"
-        "it as partial and ends with status 3; of a share it writes nothing.\n\n"
+        "it as partial and ends with status 3; of a shard it writes nothing.\n\n"
         "Example:\n"
         "  nacre render sphere --paint paints/red-gold.toml --spp 256 --size 512x512 -o red.exr");
 }
@@ -128,16 +128,16 @@ void check_choices(const RenderCommandOptions& options) {
     if (!options.frames.empty() && !options.turntable) {
         throw UsageError("--frames needs --turntable, which says what turns");
     }
-    if (options.shard && options.noise) {
+    if (options.shard_text && options.noise) {
         throw UsageError(
-            "--shard and --noise exclude each other: say with --spp how many samples all shares "
+            "--shard and --noise exclude each other: say with --spp how many samples all shards "
             "have together");
     }
-    if (options.shard && !options.video.path.empty()) {
+    if (options.shard_text && !options.video.path.empty()) {
         throw UsageError("--shard makes no pictures for --video to show: merge the frames first");
     }
     if (!options.video.path.empty()) check_video(options.video);
-    if (options.shard && options.tone_map != io::ToneMap{}) {
+    if (options.shard_text && options.tone_map != io::ToneMap{}) {
         throw UsageError("--exposure and --gamut belong to nacre merge where there is --shard");
     }
     for (const auto& [option, given] : {std::pair{"--sparkle", options.render.sparkle},
@@ -181,14 +181,14 @@ Frames parse_frames(const std::string& text) {
                     text, kMaxFrames));
 }
 
-Share parse_share(const std::string& text, int samples_per_pixel) {
+Shard parse_shard(const std::string& text, int samples_per_pixel) {
     const std::vector<std::string_view> parts = split(text, '/');
     const Range range{1, static_cast<double>(samples_per_pixel)};
     if (parts.size() == 2) {
-        const double number = parse_number("--shard (share)", parts[0], range);
+        const double number = parse_number("--shard (number)", parts[0], range);
         const double count = parse_number("--shard (of)", parts[1], range);
-        const Share share{static_cast<int>(number), static_cast<int>(count)};
-        if (share.number == number && share.count == count && number <= count) return share;
+        const Shard shard{static_cast<int>(number), static_cast<int>(count)};
+        if (shard.number == number && shard.count == count && number <= count) return shard;
     }
     throw UsageError(
         fmt::format("--shard = {}: must be one from 1/N to N/N in whole numbers, N at most the {} "

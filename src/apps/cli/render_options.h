@@ -28,8 +28,8 @@ struct RenderCommandOptions : CommonOptions {
     std::optional<double> step_deg;
     VideoOptions video;
     bool fps_given = false;
-    std::optional<std::string> shard;
-    std::optional<Share> share;  // that it says
+    std::optional<std::string> shard_text;
+    std::optional<Shard> shard;  // that it says
 };
 
 /// More samples are taken only where --spp says so.
@@ -52,6 +52,6 @@ struct Frames {
 Frames parse_frames(const std::string& text);
 
 /// "2/8".
-Share parse_share(const std::string& text, int samples_per_pixel);
+Shard parse_shard(const std::string& text, int samples_per_pixel);
 
 }  // namespace nacre::cli

@@ -45,12 +45,12 @@ TEST_F(Program, RenderTurnsThePaintFromFrameToFrame) {
     }
     EXPECT_FALSE(exists("turn.exr"));
     EXPECT_EQ(nlohmann::json::parse(contents(folder_ / "r.json"))["frames"].size(), 3u);
-    // Frame 0 is the scene as it is; a share of the frames has the same pictures.
+    // Frame 0 is the scene as it is; a shard of the frames has the same pictures.
     EXPECT_EQ(nacre(render + "-o still.exr").status, 0);
     EXPECT_EQ(nacre("diff turn.0000.exr still.exr --max-relative 0").status, 0);
     EXPECT_EQ(nacre("diff turn.0001.exr still.exr --min-psnr 60").status, 4);
-    EXPECT_EQ(nacre(render + "-o share.exr --frames 2:2 --turntable shape --step 30").status, 0);
-    EXPECT_EQ(nacre("diff turn.0002.exr share.0002.exr --max-relative 0").status, 0);
+    EXPECT_EQ(nacre(render + "-o shard.exr --frames 2:2 --turntable shape --step 30").status, 0);
+    EXPECT_EQ(nacre("diff turn.0002.exr shard.0002.exr --max-relative 0").status, 0);
 
     EXPECT_THAT(nacre(render + "-o x.exr --frames 0:2").err, HasSubstr("--turntable"));
     EXPECT_THAT(nacre(render + "-o x.exr --turntable light").err, HasSubstr("belong to --frames"));

@@ -231,7 +231,7 @@ Seen see(const SparkleOptions& options, const Paint& paint, const bsdf::Model& m
     return seen;
 }
 
-void say_doubts(const SparkleOptions& options, const Seen& seen) {
+void print_warnings(const SparkleOptions& options, const Seen& seen) {
     if (has_spread(seen.paint)) {
         say(options,
             fmt::format("nacre: note: {}: clearcoat.thickness_spread_um = {}: the camera sees "
@@ -331,13 +331,13 @@ ExitStatus run(SparkleOptions options) {
     std::optional<Paint> versus;
     if (!options.versus.empty()) versus = open_input(options, options.versus);
     const Seen sample = see(options, paint, model);
-    say_doubts(options, sample);
+    print_warnings(options, sample);
     std::vector<Compared> rows;
     if (versus) {
         bsdf::Model other = model;  // flakes of its own, or equal panels would err alike
         other.set_specimen(model.specimen().value_or(0) + 1);
         const Seen standard = see(options, *versus, other);
-        say_doubts(options, standard);
+        print_warnings(options, standard);
         rows = compared(standard.measurement, sample.measurement);
     }
     if (!options.pictures.empty()) write_pictures(options, sample.pictures);

@@ -75,7 +75,7 @@ std::string main_cause(const Uncertainty& u, const std::vector<double>& shares) 
 void say_spread(const CommonOptions& options, const Uncertainty& u) {
     const auto metric = [&](const char* name, const std::optional<MetricUncertainty>& m) {
         if (!m) return;
-        const std::string cause = main_cause(u, fit::shares(m->change, u.correlation));
+        const std::string cause = main_cause(u, fit::variance_fractions(m->change, u.correlation));
         say(options, fmt::format("{} {:.2f} +- {:.2g}{}", name, m->value, m->best(),
                                  cause.empty() ? "" : ", " + cause));
     };
@@ -91,7 +91,7 @@ void say_spread(const CommonOptions& options, const Uncertainty& u) {
     if (widest == u.readings.end()) return;
     const Vec3d& lab = widest->reading.lab;
     const Vec3d sd = widest->best().lab();
-    const std::string cause = main_cause(u, fit::shares(widest->change, u.correlation));
+    const std::string cause = main_cause(u, fit::variance_fractions(widest->change, u.correlation));
     say(options, fmt::format("widest at {}: L* {:.1f} +- {:.2g}, a* {:.1f} +- {:.2g}, b* {:.1f} +- "
                              "{:.2g}{}",
                              widest->reading.geometry.name, lab[0], sd[0], lab[1], sd[1], lab[2],
@@ -106,7 +106,7 @@ std::string doubtful_text(const ReadingUncertainty& reading) {
 }
 
 /// Where first order is doubtful.
-void say_doubts(const CommonOptions& options, const Uncertainty& u) {
+void print_warnings(const CommonOptions& options, const Uncertainty& u) {
     for (const UncertainNumber& number : u.numbers) {
         if (!number.meets_range) continue;
         say(options,
@@ -143,7 +143,7 @@ void say_doubts(const CommonOptions& options, const Uncertainty& u) {
 
 void say_uncertainty(const CommonOptions& options, const Uncertainty& uncertainty) {
     say_spread(options, uncertainty);
-    say_doubts(options, uncertainty);
+    print_warnings(options, uncertainty);
 }
 
 namespace {
@@ -182,7 +182,7 @@ nlohmann::json metric_json(const std::optional<MetricUncertainty>& metric,
                            {"first_order_sd", metric->first_order},
                            {"mean_shift", metric->mean_shift},
                            {"change", metric->change},
-                           {"share", fit::shares(metric->change, correlation)}};
+                           {"share", fit::variance_fractions(metric->change, correlation)}};
     json.update(linearity_json(metric->linearity));
     return json;
 }
@@ -277,11 +277,11 @@ std::vector<io::MeasurementColumn> uncertainty_columns(const Uncertainty& u) {
     add("sd_by", [&](const auto&) { return u.samples > 0 ? "sampling" : "first order"; });
     add("first_order_fails", doubtful_text);
     add("most_from", [&](const auto& r) {
-        const auto most = greatest(fit::shares(r.change, u.correlation));
+        const auto most = greatest(fit::variance_fractions(r.change, u.correlation));
         return most ? u.numbers[*most].key : std::string();
     });
     add("most_share", [&](const auto& r) {
-        const std::vector<double> all = fit::shares(r.change, u.correlation);
+        const std::vector<double> all = fit::variance_fractions(r.change, u.correlation);
         const auto most = greatest(all);
         return most ? number(all[*most]) : std::string();
     });
@@ -298,7 +298,7 @@ std::string contributions_csv(const Uncertainty& u) {
     std::string csv = "geometry,quantity,number,value,sd,change,share\n";
     const auto add = [&](const std::string& geometry, const char* quantity,
                          const std::vector<double>& change) {
-        const std::vector<double> all = fit::shares(change, u.correlation);
+        const std::vector<double> all = fit::variance_fractions(change, u.correlation);
         for (std::size_t i = 0; i < u.numbers.size(); ++i) {
             csv += fmt::format("{},{},{},{},{},{},{}\n", csv_cell(geometry), quantity,
                                csv_cell(u.numbers[i].key), u.numbers[i].value,
@@ -328,7 +328,7 @@ nlohmann::json uncertainty_json(const Uncertainty& u) {
         nlohmann::json reading = {{"geometry", r.reading.geometry.name},
                                   {"first_order", spread_json(r.first_order)},
                                   {"change", r.change},
-                                  {"share", fit::shares(r.change, u.correlation)},
+                                  {"share", fit::variance_fractions(r.change, u.correlation)},
                                   {"mean_shift", r.mean_shift}};
         if (r.sampled) reading["sampled"] = spread_json(*r.sampled);
         for (const fit::Quantity quantity : fit::kQuantities) {

@@ -186,15 +186,15 @@ Atlas recipe_atlas(const paint::Recipe& recipe, const std::string& key,
                    const Progress& progress, RecipeReader read) {
     require_cells(values.size(), geometries.size());
     if (!read) {
-        read = [&](const paint::Recipe& changed, const Progress& ask) {
+        read = [&](const paint::Recipe& changed, const Progress& callback) {
             const solver::SolvedPaint paint =
-                solver::solve(changed, wavelengths_nm, {}, nullptr, ask);
+                solver::solve(changed, wavelengths_nm, {}, nullptr, callback);
             return measure::measure(
                 changed.name,
                 [&](double theta_i, double theta_o, double phi) {
                     return paint.brdf(theta_i, theta_o, phi);
                 },
-                wavelengths_nm, geometries, conditions, ask);
+                wavelengths_nm, geometries, conditions, callback);
         };
     }
     // All values are checked before the first is solved.
@@ -214,12 +214,12 @@ Atlas recipe_atlas(const paint::Recipe& recipe, const std::string& key,
         .geometries = geometries};
     atlas.lab.resize(values.size() * geometries.size());
     SharedProgress work(progress, static_cast<double>(values.size()));
-    const Progress ask = [&](double) { return work.ask(); };
+    const Progress callback = [&](double) { return work.keep_going(); };
     for (std::size_t v = 0; v < values.size(); ++v) {
         work.throw_if_stopped(kMaking);
         paint::Recipe changed = recipe;
         paint::set_parameter(changed, key, values[v]);
-        const measure::Measurement readings = read(changed, ask);
+        const measure::Measurement readings = read(changed, callback);
         for (std::size_t g = 0; g < geometries.size(); ++g) {
             atlas.lab[g * values.size() + v] = readings.readings[g].lab;
         }

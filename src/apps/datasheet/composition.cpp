@@ -39,11 +39,11 @@ std::string unit_text(std::string_view unit) {
 
 /// What the keys of an object say, in their order and in the words of their description. Tables and
 /// lists that have words are told with what they hold, others are left to the caller.
-class Told final : public paint::Visitor {
+class Phrases final : public paint::Visitor {
  public:
-    explicit Told(const paint::Described& object) { object.accept(*this); }
+    explicit Phrases(const paint::Described& object) { object.accept(*this); }
     template <class T>
-    explicit Told(const T& object) : Told(paint::Described::to_inspect(object)) {}
+    explicit Phrases(const T& object) : Phrases(paint::Described::to_inspect(object)) {}
 
     /// What some keys say, in the order asked for; rest() does not say it again.
     std::string take(std::initializer_list<std::string_view> keys, const char* joint = ", ") {
@@ -87,12 +87,12 @@ class Told final : public paint::Visitor {
         say(field, index == 0, words[index]);
     }
     void table(const Field& field, paint::Described object) override {
-        if (field.words) say(field, false, Told(object).rest());
+        if (field.words) say(field, false, Phrases(object).rest());
     }
     void list(const Field& field, paint::List& list) override {
         if (!field.words || list.size() == 0) return;
         std::vector<std::string> texts;
-        for (std::size_t i = 0; i < list.size(); ++i) texts.push_back(Told(list.at(i)).rest());
+        for (std::size_t i = 0; i < list.size(); ++i) texts.push_back(Phrases(list.at(i)).rest());
         say(field, false, fmt::format("{}", fmt::join(texts, "; then ")));
     }
 
@@ -128,7 +128,7 @@ struct FlakeWords {
 };
 
 FlakeWords flake_words(const paint::FlakeSpecies& flakes, const paint::Layer& layer) {
-    Told told(flakes);
+    Phrases told(flakes);
     FlakeWords words{.name = flakes.name.empty() ? "flakes" : flakes.name,
                      .amount = told.take({"volume_fraction"}),
                      .size = {},
@@ -154,7 +154,7 @@ struct PigmentWords {
 };
 
 PigmentWords pigment_words(const paint::Pigment& pigment) {
-    Told told(pigment);
+    Phrases told(pigment);
     PigmentWords words{.name = pigment.name.empty() ? "pigment" : pigment.name,
                        .amount = told.take({"volume_fraction", "mass_fraction"}),
                        .size = told.take({"diameter_nm", "weighting", "spread"}),
@@ -168,7 +168,7 @@ struct ClearcoatWords {
 };
 
 ClearcoatWords clearcoat_words(const paint::Clearcoat& coat) {
-    Told told(coat);
+    Phrases told(coat);
     ClearcoatWords words{told.take({"thickness_um"}), told.take({"roughness", "orange_peel"}), {}};
     words.tint = told.rest();
     return words;
@@ -207,7 +207,7 @@ std::vector<std::string> layers_in_words(const paint::Recipe& recipe) {
     }
     for (const paint::Layer& layer : recipe.layers) {
         std::string text = fmt::format(
-            "{} a layer of {}", sentences.empty() ? "On top" : "Below it", Told(layer).rest());
+            "{} a layer of {}", sentences.empty() ? "On top" : "Below it", Phrases(layer).rest());
         if (layer.flakes.empty() && layer.pigments.empty()) text += " of binder alone";
         const char* joint = " with ";
         for (const paint::FlakeSpecies& flakes : layer.flakes) {
@@ -230,7 +230,7 @@ std::vector<std::string> layers_in_words(const paint::Recipe& recipe) {
         }
         sentences.push_back(text + ".");
     }
-    Told whole(recipe);
+    Phrases whole(recipe);
     const std::string ground = whole.take({"substrate"});
     sentences.push_back(fmt::format("The ground {}. {}.", ground, whole.rest(". ")));
     return sentences;
@@ -250,7 +250,7 @@ report::Table layers_table(const paint::Recipe& recipe) {
     }
     for (std::size_t i = 0; i < recipe.layers.size(); ++i) {
         const paint::Layer& layer = recipe.layers[i];
-        std::string name = fmt::format("Layer {}, {}", i + 1, Told(layer).rest());
+        std::string name = fmt::format("Layer {}, {}", i + 1, Phrases(layer).rest());
         const auto named = [&] { return std::exchange(name, std::string()); };
         for (const paint::FlakeSpecies& flakes : layer.flakes) {
             const FlakeWords words = flake_words(flakes, layer);
@@ -262,18 +262,18 @@ report::Table layers_table(const paint::Recipe& recipe) {
         }
         if (!name.empty()) add(named(), "binder alone", "", "", material_text(recipe.binder));
     }
-    if (recipe.lean) add("All layers", "", "", Told(recipe).take({"lean"}), "");
-    add("Ground", Told(recipe).take({"substrate"}), "", "", "");
+    if (recipe.lean) add("All layers", "", "", Phrases(recipe).take({"lean"}), "");
+    add("Ground", Phrases(recipe).take({"substrate"}), "", "", "");
     return table;
 }
 
 std::vector<std::string> facets_in_words(const paint::Microfacet& microfacet) {
-    Told told(microfacet);
+    Phrases told(microfacet);
     const std::string facets = told.take({"distribution", "alpha"});
     const std::string film = told.take({"film_thickness_nm", "film_ior"}, " ");
     std::vector<std::string> sentences = {fmt::format(
         "A rough surface of mirror facets ({}) under {}, {}.", facets, film, told.rest())};
-    if (microfacet.facets) sentences.push_back(Told(*microfacet.facets).rest() + ".");
+    if (microfacet.facets) sentences.push_back(Phrases(*microfacet.facets).rest() + ".");
     return sentences;
 }
 

@@ -50,7 +50,7 @@ using measure::Measurement;
 using measure::Reading;
 using report::escape_html;
 
-/// More chips than this would be stamps: then those lit from one angle stand for all.
+/// More chips would be too small to compare: then only those lit from one angle are drawn.
 constexpr std::size_t kMaxChips = 24;
 
 std::string heading(const std::string& words) { return "<h2>" + escape_html(words) + "</h2>\n"; }
@@ -349,7 +349,8 @@ std::string uncertainty_html(const PanelReport& report) {
     }
     std::vector<std::vector<double>> by_reading;
     for (const Reading* reading : readings) {
-        by_reading.push_back(fit::shares(uncertainty_at(report, reading).change, u.correlation));
+        by_reading.push_back(
+            fit::variance_fractions(uncertainty_at(report, reading).change, u.correlation));
     }
     for (std::size_t i = 0; i < u.numbers.size(); ++i) {
         const fit::UncertainNumber& number = u.numbers[i];

@@ -68,7 +68,7 @@ std::string legend_key(const Series& series, const Look& look) {
 }
 
 Legend legend_svg(const Plot& plot, Pixel corner, double right) {
-    constexpr double kRow = 20, kKey = 32, kGap = 8, kBetween = 22;
+    constexpr double kRow = 20, kKey = 32, kGap = 8, kEntrySpacing = 22;
     Legend legend;
     Pixel at = corner;
     for (std::size_t i = 0; i < plot.series.size(); ++i) {
@@ -82,7 +82,7 @@ Legend legend_svg(const Plot& plot, Pixel corner, double right) {
             svg_number(at.x), svg_number(at.y), legend_key(series, look_of(series, i)), kKey + kGap,
             escape_html(name));
         legend.height = at.y + kRow - corner.y;
-        at.x += width + kBetween;
+        at.x += width + kEntrySpacing;
     }
     return legend;
 }

@@ -21,8 +21,8 @@ namespace {
 /// The name of a page's recipe in messages.
 constexpr const char* kRecipeFile = "recipe.toml";
 
-/// A component below 0 by more than this share of the largest is out of gamut (io::outside_gamut).
-constexpr double kGamutShare = 1e-3;
+/// A component below 0 by more than this fraction of the largest is out of gamut (io::outside_gamut).
+constexpr double kGamutTolerance = 1e-3;
 
 Tree or_null(const std::optional<double>& x) { return x ? Tree(*x) : Tree(nullptr); }
 
@@ -37,7 +37,8 @@ DisplayColour display_colour(const Vec3d& lab) {
     const Vec3d linear = spectra::xyz_to_linear_rec709(spectra::lab_to_xyz(lab, white));
     const double largest = std::max({linear.x, linear.y, linear.z});
     const double smallest = std::min({linear.x, linear.y, linear.z});
-    DisplayColour colour{{}, smallest<-kGamutShare * std::abs(largest), largest> 1 + kGamutShare};
+    DisplayColour colour{
+        {}, smallest<-kGamutTolerance * std::abs(largest), largest> 1 + kGamutTolerance};
     for (int c = 0; c < 3; ++c) colour.srgb[c] = spectra::srgb_encode(linear[c]);
     return colour;
 }

@@ -21,9 +21,10 @@ namespace nacre::studio {
 namespace {
 
 /// Passes on whether to go on, and tells the page how far the work is, at most every 100 ms.
-class Teller {
+class ProgressReporter {
  public:
-    Teller(const Context& context, const char* about) : context_(context), about_(about) {}
+    ProgressReporter(const Context& context, const char* about)
+        : context_(context), about_(about) {}
 
     /// For a part of the work, [from, to] of all of it.
     Progress part(double from, double to) {
@@ -119,7 +120,7 @@ Tree match_json(const NamedPaint& start, const std::vector<fit::FittedParameter>
 
 Frames answer(const SparkleRequest& request, const Context& context) {
     const NamedPaint named = paint_of(request.recipe, context);
-    Teller teller(context, "sparkle");
+    ProgressReporter teller(context, "sparkle");
     const auto look =
         named.paint.appearance(sparkling_model(request.specimen), {}, teller.part(0, 0.1));
     Tree json = {{"type", "sparkle"}, {"id", context.id}};
@@ -134,7 +135,7 @@ Frames answer(const FitRequest& request, const Context& context) {
     if (request.free.empty() && named.paint.bounds().empty()) {
         throw InputError("free: is empty; name the numbers that may change");
     }
-    Teller teller(context, "fit");
+    ProgressReporter teller(context, "fit");
     FitSettings settings;
     settings.starts = request.starts;
     const Model model = models::named_model(request.model);
@@ -185,7 +186,7 @@ Frames answer(const FitRequest& request, const Context& context) {
 
 Frames answer(const AtlasRequest& request, const Context& context) {
     const NamedPaint named = paint_of(request.recipe, context);
-    Teller teller(context, "atlas");
+    ProgressReporter teller(context, "atlas");
     const MeasureSettings settings = settings_of(request.viewed);
     const auto read = [&](const paint::Recipe& recipe, const Progress& progress) {
         return Paint(recipe).measure(request.viewed.geometries, settings, progress).measurement;
@@ -220,7 +221,7 @@ Frames answer(const AtlasRequest& request, const Context& context) {
 
 Frames answer(const ReportRequest& request, const Context& context) {
     const NamedPaint named = paint_of(request.recipe, context);
-    Teller teller(context, "report");
+    ProgressReporter teller(context, "report");
     const Model model = models::default_picture_model();
     const auto look = named.paint.appearance(model, {}, teller.part(0, 0.02));
 

@@ -63,12 +63,12 @@ Frames answer(const RenderRequest& request, const Context& context) {
                                   .height = request.height,
                                   .samples_per_pixel = request.samples,
                                   .noise = true};
-    // Each share has one sample a pixel; the sum of all is the picture of `nacre render`, bit for
+    // Each shard has one sample a pixel; the sum of all is the picture of `nacre render`, bit for
     // bit.
     render::RenderSums sums(settings);
     int next = render::flake_sampling_stride(request.samples);
     for (int sample = 1; sample <= request.samples; ++sample) {
-        sums.add(scene.render_share(settings, {sample, request.samples}, context.progress).sums);
+        sums.add(scene.render_shard(settings, {sample, request.samples}, context.progress).sums);
         if (sample != next && sample != request.samples) continue;
         next = sample * kGrowth;
         render::RenderResult picture = render::develop(sums, settings);

@@ -267,15 +267,15 @@ void add_hiding(FlakesContext& context, const Progress& progress) {
                                         paint::projected_area(lamp.z, kAlpha) / lamp.z);
             const double mean = -std::expm1(-tau) / tau;
             const double dimmed = -std::expm1(-2 * tau) / (2 * tau) / (mean * mean);
-            const double contrast = v.mean_square / (v.lit_and_seen * v.lit_and_seen);
+            const double contrast = v.mean_square / (v.bidirectional * v.bidirectional);
             table.rows.push_back(
                 {report::number_cell(number(diameter)), report::number_cell(number(depth)),
-                 report::number_cell(number(v.lit_and_seen)), report::number_cell(number(mean)),
+                 report::number_cell(number(v.bidirectional)), report::number_cell(number(mean)),
                  report::number_cell(number(contrast)), report::number_cell(number(dimmed)),
                  report::number_cell(number(1 / mean))});
             context.results["hiding"].push_back({{"diameter_um", diameter},
                                                  {"depth", depth},
-                                                 {"mean_discs", v.lit_and_seen},
+                                                 {"mean_discs", v.bidirectional},
                                                  {"mean_error", v.standard_error},
                                                  {"mean_equation", mean},
                                                  {"mean_square_discs", v.mean_square},

@@ -166,7 +166,7 @@ std::vector<MeanRatios> compare_means(const MeanCase& paint, double incidence_de
             return Estimate{value, value * discs.standard_error / discs.value};
         };
         exit.transfer = ratio(false, false);
-        exit.gain_alone = ratio(true, false);
+        exit.gain_only = ratio(true, false);
         exit.nacre = ratio(true, true);
         const double projected = flux_in_cone([](double, double) { return 1.0; }, middle);
         exit.discs = {discs.value / projected, discs.standard_error / projected};
@@ -235,18 +235,18 @@ void add_means(FlakesContext& context, const Progress& progress) {
                                   {"discs", exit.discs.value},
                                   {"error", exit.discs.standard_error},
                                   {"transfer", exit.transfer.value},
-                                  {"gain_alone", exit.gain_alone.value},
+                                  {"gain_only", exit.gain_only.value},
                                   {"nacre", exit.nacre.value}});
             if (exit.discs.value < kDim * exits[0].discs.value) continue;
             worst[0] = farther(worst[0], exit.transfer.value);
-            worst[1] = farther(worst[1], exit.gain_alone.value);
+            worst[1] = farther(worst[1], exit.gain_only.value);
             worst[2] = farther(worst[2], exit.nacre.value);
         }
         std::vector<report::Cell> row;
         for (const double value :
              {paint.depth, paint.diameter_um, paint.alpha, paint.reflectance, paint.transmittance,
               paint.ground, paint.roughness, light, exits[0].transfer.value,
-              exits[0].gain_alone.value, exits[0].nacre.value}) {
+              exits[0].gain_only.value, exits[0].nacre.value}) {
             row.push_back(report::number_cell(number(value)));
         }
         row.push_back(report::number_cell(number(exits[0].nacre.standard_error, 1)));

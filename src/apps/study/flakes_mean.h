@@ -31,7 +31,7 @@ struct MeanRatios {
     Estimate discs = {};
     /// Over it, with the discs' standard error: the equation of transfer; with the hot spot alone,
     /// nothing taken from multiple scattering; the model nacre.
-    Estimate transfer = {}, gain_alone = {}, nacre = {};
+    Estimate transfer = {}, gain_only = {}, nacre = {};
 };
 
 inline constexpr double kExitCone_deg = 4;

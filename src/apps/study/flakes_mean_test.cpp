@@ -9,19 +9,19 @@ namespace {
 // here, of which four would be 12 %. What is compared is the mean over the six directions, whose
 // errors share walks but hardly any flakes.
 TEST(MeanOfDiscs, IsThatOfTheHotSpotWithItsLightTakenFromMultipleScattering) {
-    double transfer = 0, gain_alone = 0, nacre = 0, variance = 0;
+    double transfer = 0, gain_only = 0, nacre = 0, variance = 0;
     const auto exits = compare_means({}, 20, 400000, 1);
     const auto count = static_cast<double>(exits.size());
     for (const MeanRatios& exit : exits) {
         transfer += exit.transfer.value / count;
-        gain_alone += exit.gain_alone.value / count;
+        gain_only += exit.gain_only.value / count;
         nacre += exit.nacre.value / count;
         variance += exit.nacre.standard_error * exit.nacre.standard_error / (count * count);
     }
     const double error = std::sqrt(variance);
     EXPECT_LT(error, 0.012);
     EXPECT_NEAR(nacre, 1, 0.02 + 3 * error);
-    EXPECT_GT(gain_alone, 1.06 + 3 * error);
+    EXPECT_GT(gain_only, 1.06 + 3 * error);
     EXPECT_LT(transfer, 0.8);
     // In the mirror direction, where nearly all light has met one flake.
     EXPECT_NEAR(exits[0].nacre.value, 1, 0.02 + 3 * exits[0].nacre.standard_error);

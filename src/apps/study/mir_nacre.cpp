@@ -176,7 +176,7 @@ constexpr double kFacets = 1e9;
 struct Curve {
     std::string name;
     const QuerySubject* subject;
-    Ask ask;
+    QueryKind kind;
     bool on_patch;
     std::vector<double> median_ns = {};
 };
@@ -214,7 +214,7 @@ void measure(std::vector<Curve>& curves, const std::vector<double>& footprints,
                 const Curve& curve = curves[i];
                 times[i].push_back(
                     curve.subject
-                        ->ask(curve.on_patch ? patches : std::vector<bsdf::Patch>{}, curve.ask)
+                        ->measure(curve.on_patch ? patches : std::vector<bsdf::Patch>{}, curve.kind)
                         .nanoseconds);
                 work.add();
                 work.throw_if_stopped("the study");
@@ -264,13 +264,13 @@ void add_query_costs(MirContext& context) {
         const Surfaces surfaces = make_surfaces(context.settings.seed, progress);
         const QuerySubject facets(*surfaces.facets, queries), flakes(*surfaces.flakes, queries),
             mean(*surfaces.mean, queries);
-        curves = {{"facets: value", &facets, Ask::value, true},
-                  {"and sample", &facets, Ask::value_and_sample, true},
-                  {"flakes: value", &flakes, Ask::value, true},
-                  {"and sample", &flakes, Ask::value_and_sample, true},
-                  {"further", &flakes, Ask::value_again, true},
-                  {"their mean: value", &mean, Ask::value, false},
-                  {"and sample", &mean, Ask::value_and_sample, false}};
+        curves = {{"facets: value", &facets, QueryKind::value, true},
+                  {"and sample", &facets, QueryKind::value_and_sample, true},
+                  {"flakes: value", &flakes, QueryKind::value, true},
+                  {"and sample", &flakes, QueryKind::value_and_sample, true},
+                  {"further", &flakes, QueryKind::repeated_value, true},
+                  {"their mean: value", &mean, QueryKind::value, false},
+                  {"and sample", &mean, QueryKind::value_and_sample, false}};
         measure(curves, footprints, surfaces.flakes_per_mm2, queries, rounds, progress);
     });
 

@@ -35,7 +35,7 @@ struct FacetSet {
     double base_ior, base_extinction;
     std::array<double, 3> hours;
 
-    constexpr double most_over_fewest() const { return hours[2] / hours[0]; }
+    constexpr double max_min_ratio() const { return hours[2] / hours[0]; }
 };
 inline constexpr FacetSet kTable2[] = {{570, 1.8, 1.08, 0.51, {2.22, 2.38, 3.49}},
                                        {665, 1.97, 1.12, 0, {2.23, 2.42, 3.52}}};

@@ -145,12 +145,13 @@ QualityOutcome measure_quality(const MirContext& context, const Group& group,
 
 /// The surface that a renderer asks, and patches that hold kPerPatch of its flakes or facets; none
 /// where they make no difference.
-struct Asked {
+struct QueriedSurface {
     std::shared_ptr<const bsdf::Bsdf> surface;
     std::vector<bsdf::Patch> patches;
 };
 
-Asked asked_of(const Group& group, const Subject& subject, int queries, const Progress& progress) {
+QueriedSurface asked_of(const Group& group, const Subject& subject, int queries,
+                        const Progress& progress) {
     paint::Recipe recipe = io::read_recipe(shipped_file(group.paint));
     if (recipe.microfacet && recipe.microfacet->facets) {
         recipe.microfacet->facets->count = printed::kFacetCounts[2];
@@ -161,7 +162,7 @@ Asked asked_of(const Group& group, const Subject& subject, int queries, const Pr
             solver::solve(recipe, spectra::default_wavelengths_nm(), {}, nullptr, progress));
         input.table = subject.model.make_table(*input.solved, progress);
     }
-    Asked asked{subject.model.make(input, progress), {}};
+    QueriedSurface asked{subject.model.make(input, progress), {}};
     if (!asked.surface->varies_over_surface()) return asked;
     constexpr double kUmPerMm = 1e3;
     const double area_mm2 = recipe.layers.empty() ? 1
@@ -172,12 +173,12 @@ Asked asked_of(const Group& group, const Subject& subject, int queries, const Pr
 }
 
 /// ns: value, and value with a sample.
-std::array<double, 2> query_cost(const Asked& asked, int queries, int rounds) {
+std::array<double, 2> query_cost(const QueriedSurface& asked, int queries, int rounds) {
     const QuerySubject subject(*asked.surface, queries);
     std::array<std::vector<double>, 2> times;
     for (int round = 0; round < rounds; ++round) {
-        times[0].push_back(subject.ask(asked.patches, Ask::value).nanoseconds);
-        times[1].push_back(subject.ask(asked.patches, Ask::value_and_sample).nanoseconds);
+        times[0].push_back(subject.measure(asked.patches, QueryKind::value).nanoseconds);
+        times[1].push_back(subject.measure(asked.patches, QueryKind::value_and_sample).nanoseconds);
     }
     return {median(times[0]), median(times[1])};
 }
@@ -191,7 +192,7 @@ void add_queries(MirContext& context, const std::vector<Group>& groups) {
         for (const Group& group : groups) {
             for (const Subject& subject : group.subjects) {
                 if (subject.model.info().can.reference_only) continue;  // has no values to ask for
-                const Asked asked = asked_of(group, subject, queries, progress);
+                const QueriedSurface asked = asked_of(group, subject, queries, progress);
                 const auto [value, sample] = query_cost(asked, queries, rounds);
                 const bool first = &subject == group.subjects.data();
                 table.rows.push_back({{first ? group.name : ""},

@@ -121,7 +121,7 @@ void add_storage(MirContext& context) {
                 const QuerySubject asked(surface, queries);
                 std::vector<double> times;
                 for (int n = 0; n < rounds; ++n) {
-                    times.push_back(asked.ask({}, Ask::value).nanoseconds);
+                    times.push_back(asked.measure({}, QueryKind::value).nanoseconds);
                 }
                 const double value_ns = median(times);
                 table.rows.push_back({{first ? subject.name : ""},

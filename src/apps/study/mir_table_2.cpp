@@ -160,9 +160,9 @@ void add_count_ratios(MirContext& context, const std::vector<double>& counts) {
             {{set.name},
              report::number_cell(fmt::format("{:.2f}", facets)),
              report::number_cell(fmt::format("{:.2f}", flakes)),
-             report::number_cell(fmt::format("{:.2f}", set.paper.most_over_fewest()))});
-        results["most_over_fewest"] = {
-            {"facets", facets}, {"flakes", flakes}, {"paper", set.paper.most_over_fewest()}};
+             report::number_cell(fmt::format("{:.2f}", set.paper.max_min_ratio()))});
+        results["max_min_ratio"] = {
+            {"facets", facets}, {"flakes", flakes}, {"paper", set.paper.max_min_ratio()}};
     }
     context.table("table-2-ratios", table);
 }

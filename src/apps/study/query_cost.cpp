@@ -71,14 +71,14 @@ QuerySubject::QuerySubject(const bsdf::Bsdf& surface, int queries)
     }
 }
 
-QueryCost QuerySubject::ask(const std::vector<bsdf::Patch>& patches, Ask what) const {
+QueryCost QuerySubject::measure(const std::vector<bsdf::Patch>& patches, QueryKind what) const {
     if (!patches.empty() && patches.size() != queries_.size()) {
         throw DomainError(fmt::format("{} patches for {} queries: must be as many, or none",
                                       patches.size(), queries_.size()));
     }
     // So few that what is kept about them stays in the cache, as that of one path does.
     constexpr std::size_t kKept = 64;
-    const bool again = what == Ask::value_again;
+    const bool again = what == QueryKind::repeated_value;
     const std::size_t kept = again ? std::min(kKept, patches.size()) : 1;
     std::vector<bsdf::PatchMemory> memories(kept, bsdf::PatchMemory(bound_->patch_memory_bytes()));
     std::vector<bsdf::Patch> places = patches;
@@ -97,12 +97,12 @@ QueryCost QuerySubject::ask(const std::vector<bsdf::Patch>& patches, Ask what) c
         const Query& q = queries_[i];
         if (places.empty()) {
             sum += bound_->evaluate(q.wi, q.wo).f;
-            if (what == Ask::value_and_sample) use(bound_->sample(q.wi, q.u_select, q.u));
+            if (what == QueryKind::value_and_sample) use(bound_->sample(q.wi, q.u_select, q.u));
             continue;
         }
         if (!again) places[i].memory->forget();
         sum += bound_->evaluate_on(places[i], q.wi, q.wo).f;
-        if (what == Ask::value_and_sample) {
+        if (what == QueryKind::value_and_sample) {
             use(bound_->sample_on(places[i], q.wi, q.u_select, q.u));
         }
     }

@@ -18,10 +18,10 @@ namespace nacre::study {
 std::vector<bsdf::Patch> square_patches(double area_mm2, double fraction, int count);
 
 /// The queries of a renderer on a patch.
-enum class Ask {
+enum class QueryKind {
     value,             ///< BRDF and density towards a light
     value_and_sample,  ///< the same, and a direction to go on in: one vertex of a path
-    value_again        ///< a further value on a patch whose flakes have been found
+    repeated_value     ///< a further value on a patch whose flakes have been found
 };
 
 struct QueryCost {
@@ -36,9 +36,9 @@ class QuerySubject {
     /// @param queries  [1, 2^20]
     QuerySubject(const bsdf::Bsdf& surface, int queries);
 
-    /// Asks about each patch once; with Ask::value_again about few patches many times.
+    /// Asks about each patch once; with QueryKind::repeated_value about few patches many times.
     /// @param patches  as many as there are queries; empty: the surface's mean is asked for
-    QueryCost ask(const std::vector<bsdf::Patch>& patches, Ask what) const;
+    QueryCost measure(const std::vector<bsdf::Patch>& patches, QueryKind what) const;
 
  private:
     struct Query {

@@ -46,23 +46,23 @@ TEST(QueryCost, MeanOverPatchesIsThatOfTheSurface) {
          {bsdf::Model(bsdf::SpecialEffectModel{}), bsdf::Model(bsdf::NacreModel{})}) {
         const QuerySubject subject(*model.make(paint), kQueries);
         const auto patches = square_patches(10, 1e-5, kQueries);  // some 1e4 of each
-        const double mean = subject.ask({}, Ask::value).mean_answer;
+        const double mean = subject.measure({}, QueryKind::value).mean_answer;
         ASSERT_GT(mean, 0);
-        for (Ask ask : {Ask::value, Ask::value_and_sample}) {
-            const QueryCost cost = subject.ask(patches, ask);
+        for (QueryKind kind : {QueryKind::value, QueryKind::value_and_sample}) {
+            const QueryCost cost = subject.measure(patches, kind);
             // 1e4 reflectors, of which those within a lobe of one or two degrees reflect, deviate
             // by some 10 % in a patch, and by 0.2 % in the mean over patches.
             EXPECT_NEAR(cost.mean_answer / mean, 1, 0.02) << model.info().name;
             EXPECT_GT(cost.nanoseconds, 0);
         }
-        EXPECT_GT(subject.ask(patches, Ask::value_again).nanoseconds, 0);
+        EXPECT_GT(subject.measure(patches, QueryKind::repeated_value).nanoseconds, 0);
     }
 }
 
 TEST(QueryCost, RefusesAnotherNumberOfPatches) {
     const bsdf::Lambertian white(1.0);
     const QuerySubject subject(white, 16);
-    EXPECT_THROW(subject.ask(square_patches(1, 0.01, 15), Ask::value), DomainError);
+    EXPECT_THROW(subject.measure(square_patches(1, 0.01, 15), QueryKind::value), DomainError);
     EXPECT_THROW(QuerySubject(white, 0), DomainError);
 }
 

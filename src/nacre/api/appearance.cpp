@@ -111,10 +111,10 @@ PaintBrdf PaintBrdf::on(double x, double y, double side) const {
     return on_patch;
 }
 
-std::shared_ptr<const bsdf::Bsdf> Paint::State::known_look(const Model& model,
-                                                           const SolveSettings& solve) const {
+std::shared_ptr<const bsdf::Bsdf> Paint::State::cached_surface(const Model& model,
+                                                               const SolveSettings& solve) const {
     const std::lock_guard lock(mutex);
-    for (const Look& look : looks) {
+    for (const CachedSurface& look : surfaces) {
         if (look.model == model && look.solve == solve) return look.surface.lock();
     }
     return nullptr;
@@ -132,7 +132,7 @@ std::shared_ptr<const bsdf::Bsdf> Paint::appearance(const std::optional<Model>& 
         return measured->surface;
     }
     const Model shown = model.value_or(models::default_model());
-    if (auto known = state_->known_look(shown, solve)) return known;
+    if (auto known = state_->cached_surface(shown, solve)) return known;
     bsdf::ModelInput input;
     if (const auto* table = std::get_if<bsdf::BrdfTable>(&state_->contents);
         table && shown.info().solution != bsdf::Solution::none) {
@@ -149,14 +149,15 @@ std::shared_ptr<const bsdf::Bsdf> Paint::appearance(const std::optional<Model>& 
         input.table = *table;
     } else {
         if (shown.info().solution != bsdf::Solution::none) {
-            input.solved = solved(solve, only_asking(progress));
+            input.solved = solved(solve, cancel_only(progress));
         }
         input.recipe = recipe();
     }
     auto look = state_->naming_file([&] { return shown.make(input, progress); });
     const std::lock_guard lock(state_->mutex);
-    std::erase_if(state_->looks, [](const State::Look& l) { return l.surface.expired(); });
-    state_->looks.push_back({shown, solve, look});
+    std::erase_if(state_->surfaces,
+                  [](const State::CachedSurface& l) { return l.surface.expired(); });
+    state_->surfaces.push_back({shown, solve, look});
     return look;
 }
 
@@ -186,7 +187,7 @@ PaintBrdf Paint::brdf(const BrdfSettings& settings, const Progress& progress) co
     SolveSettings solve;
     if (has_exact_values) {
         solve.wavelengths_nm = settings.wavelengths_nm;
-        const auto paint = solved(solve, only_asking(progress));
+        const auto paint = solved(solve, cancel_only(progress));
         if (brdf.wavelengths_nm_.empty()) brdf.wavelengths_nm_ = paint->wavelengths_nm();
         if (!as_rendered) {
             std::vector<std::size_t> positions;
@@ -200,10 +201,10 @@ PaintBrdf Paint::brdf(const BrdfSettings& settings, const Progress& progress) co
     if (brdf.wavelengths_nm_.empty()) brdf.wavelengths_nm_ = spectra::default_wavelengths_nm();
     // Few who ask for values ask for those of single flakes, which take most of the time.
     const auto* nacre = measured || has_table ? nullptr : model.get<NacreModel>();
-    const bool alone = nacre && !settings.patches && !state_->known_look(model, solve);
+    const bool alone = nacre && !settings.patches && !state_->cached_surface(model, solve);
     std::shared_ptr<const bsdf::Bsdf> look;
     if (alone) {
-        const auto paint = solved(solve, only_asking(progress));
+        const auto paint = solved(solve, cancel_only(progress));
         look =
             state_->naming_file([&] { return bsdf::Nacre::mean_alone(paint, *nacre, progress); });
     } else {
@@ -232,7 +233,7 @@ SparkleReadings measure_sparkle(const bsdf::Bsdf& look, const SparkleSettings& s
                                 const Progress& progress) {
     measure::PanelPictures pictures = measure::take_pictures(look, settings.camera, progress);
     measure::SparkleMeasurement measurement = measure::measure_pictures(
-        settings.camera, pictures, settings.viewing, only_asking(progress, 1));
+        settings.camera, pictures, settings.viewing, cancel_only(progress, 1));
     return {std::move(pictures), std::move(measurement)};
 }
 

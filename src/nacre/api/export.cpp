@@ -91,10 +91,10 @@ void Paint::State::require_isotropic() const {
 Exported Paint::export_rgl(const RglSettings& rgl, const BrdfSettings& settings,
                            const Progress& progress) const {
     state_->require_isotropic();
-    const PaintBrdf values = brdf(fast(settings), only_asking(progress));
+    const PaintBrdf values = brdf(fast(settings), cancel_only(progress));
     const bsdf::RglTable table = measure::acquire_rgl(title(*this, settings.model), values,
                                                       values.wavelengths_nm(), rgl, progress);
-    const Progress asking = only_asking(progress, 1);
+    const Progress asking = cancel_only(progress, 1);
     SharedProgress work(asking, 1);
     return {io::rgl_bytes(table, asking),
             measure::table_error(bsdf::MeasuredRgl(table, &work), values, values.wavelengths_nm(),
@@ -104,10 +104,10 @@ Exported Paint::export_rgl(const RglSettings& rgl, const BrdfSettings& settings,
 Exported Paint::export_merl(const MerlSettings& merl, const BrdfSettings& settings,
                             const Progress& progress) const {
     state_->require_isotropic();
-    const PaintBrdf values = brdf(fast(settings), only_asking(progress));
+    const PaintBrdf values = brdf(fast(settings), cancel_only(progress));
     const bsdf::MerlTable table =
         measure::acquire_merl(values, values.wavelengths_nm(), merl, progress);
-    const Progress asking = only_asking(progress, 1);
+    const Progress asking = cancel_only(progress, 1);
     SharedProgress work(asking, 1);
     return {io::merl_bytes(table, asking),
             measure::table_error(bsdf::MeasuredMerl(table, &work), values, values.wavelengths_nm(),
@@ -144,7 +144,7 @@ FittedMaterial Paint::export_material(MaterialFormat format, const BrdfSettings&
                                .illuminant = Illuminant::D65,
                                .observer = Observer::cie1931_2deg,
                                .wavelengths_nm = settings.wavelengths_nm};
-    const Progress asking = only_asking(progress);
+    const Progress asking = cancel_only(progress);
     FittedMaterial made;
     made.format = model.format;
     made.fit = exchange::fit_material(model, measure(sets.fitted, seen, asking).measurement,
@@ -196,7 +196,7 @@ ShaderMaterial Paint::export_threejs(const std::optional<Model>& model,
     const Readings paint = measure(
         exchange::shader_geometries(),
         {.model = NacreModel{}, .illuminant = Illuminant::D65, .observer = Observer::cie1931_2deg},
-        only_asking(progress, 1));
+        cancel_only(progress, 1));
     ShaderMaterial made;
     made.difference = exchange::shader_difference(shader, paint.measurement);
     made.bytes = exchange::threejs_text(shader, name(), recipe_sha256(), made.difference);
@@ -209,13 +209,13 @@ std::string Paint::export_solved(const SolveSettings& settings, const Progress& 
 
 std::string Paint::export_table(const Model& model, const SolveSettings& solve,
                                 const Progress& progress) const {
-    const auto table = model.make_table(*solved(solve, only_asking(progress)), progress);
+    const auto table = model.make_table(*solved(solve, cancel_only(progress)), progress);
     if (!table) {
         throw SettingError("model", "renders from no table, as chosen",
                            std::string(model.info().name));
     }
     return std::visit(
-        [&](const auto& t) { return io::brdf_table_bytes(*t, only_asking(progress, 1)); }, *table);
+        [&](const auto& t) { return io::brdf_table_bytes(*t, cancel_only(progress, 1)); }, *table);
 }
 
 }  // namespace nacre

@@ -30,7 +30,7 @@ Match Paint::fit(const Measurement& standard, const std::vector<std::string>& ke
         throw InputError(fmt::format("{}: layer: is missing; a fit needs at least one [[layer]]",
                                      state_->label()));
     }
-    fit::FreeKeys free = free_keys(keys, settings, only_asking(progress));
+    fit::FreeKeys free = free_keys(keys, settings, cancel_only(progress));
     const fit::FreeNumbers numbers(recipe(), free.keys, bounds());
     fit::Fit found = fit::fit(standard, numbers, settings, progress);
     io::RecipeFile made = state_->recipe_file();

@@ -180,7 +180,7 @@ Readings Paint::measure(const std::vector<Geometry>& geometries, const MeasureSe
     }
     const PaintBrdf values =
         brdf({.model = settings.model, .wavelengths_nm = settings.wavelengths_nm},
-             only_asking(progress));
+             cancel_only(progress));
     return {measure::measure(name(), values, values.wavelengths_nm(), or_default(geometries),
                              conditions_of(settings), progress)};
 }

@@ -354,7 +354,7 @@ const paint::Recipe& recipe_to_solve(const Paint& paint, const std::string& labe
 /// For paints that are solved one after another with the same flakes, as when one number is changed
 /// again and again; the bits are those without it. None for so many wavelengths that the tables would
 /// take more than some megabytes.
-solver::FilmCache* films_of_late(const std::vector<double>& wavelengths_nm) {
+solver::FilmCache* recent_films(const std::vector<double>& wavelengths_nm) {
     constexpr std::size_t kMaxTables = 16, kMaxWavelengths = 64;
     static solver::FilmCache films(kMaxTables);
     return wavelengths_nm.size() <= kMaxWavelengths ? &films : nullptr;
@@ -381,7 +381,7 @@ std::shared_ptr<const solver::SolvedPaint> Paint::solved(const SolveSettings& se
             state_->naming_file([&] {
                 solution->paint = std::make_shared<const solver::SolvedPaint>(solver::solve(
                     paint, solution->settings.wavelengths_nm, solution->settings.resolution,
-                    films_of_late(solution->settings.wavelengths_nm), progress));
+                    recent_films(solution->settings.wavelengths_nm), progress));
             });
         });
     }

@@ -182,7 +182,7 @@ std::vector<Start> most_promising(const std::vector<NearestRecord>& records,
     std::vector<Start> starts;
     for (const NearestRecord& record : records) {
         Paint paint = with_bounds(record, open(record.folder / kRecipe));
-        std::vector<std::string> keys = keys_to_fit(record, paint, rough, only_asking(progress));
+        std::vector<std::string> keys = keys_to_fit(record, paint, rough, cancel_only(progress));
         starts.push_back(
             {record, std::move(paint), std::move(keys), {{}, record.mean_delta_e_2000}});
     }
@@ -281,7 +281,7 @@ std::vector<ConstructionMatch> fit_from_library(const fs::path& library,
                                                 const FitSettings& settings,
                                                 const Progress& progress) {
     const std::vector<NearestRecord> nearest =
-        nearest_constructions(library, standard, kScreenedPerFit * most, only_asking(progress));
+        nearest_constructions(library, standard, kScreenedPerFit * most, cancel_only(progress));
     FitSettings alone = settings;
     alone.remedies = false;
     const double roughly = nearest.size() > most ? kScreeningFraction + kDescendingFraction : 0;
@@ -308,7 +308,7 @@ std::vector<ConstructionMatch> fit_from_library(const fs::path& library,
         });
     ConstructionMatch& best = matches.front();
     if (settings.remedies && !best.match.matched()) {
-        seek_remedies(best, standard, settings, only_asking(progress));
+        seek_remedies(best, standard, settings, cancel_only(progress));
     }
     return matches;
 }

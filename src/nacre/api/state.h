@@ -35,7 +35,7 @@ std::size_t wavelength_position(const solver::SolvedPaint& paint, double wavelen
 
 /// Asks whether to go on, but reports nothing: before the work that `progress` is about, where
 /// `fraction` is 0, or after it, where it is 1.
-inline Progress only_asking(const Progress& progress, double fraction = 0) {
+inline Progress cancel_only(const Progress& progress, double fraction = 0) {
     if (!progress) return {};
     return [&progress, fraction](double) { return progress(fraction); };
 }
@@ -80,19 +80,19 @@ struct Paint::State {
     std::shared_ptr<Solution> solution(const SolveSettings& settings) const;
 
     /// What a model made, as long as somebody holds it.
-    struct Look {
+    struct CachedSurface {
         Model model;
         SolveSettings solve;
         std::weak_ptr<const bsdf::Bsdf> surface;
     };
-    std::shared_ptr<const bsdf::Bsdf> known_look(const Model& model,
-                                                 const SolveSettings& solve) const;
+    std::shared_ptr<const bsdf::Bsdf> cached_surface(const Model& model,
+                                                     const SolveSettings& solve) const;
 
     mutable std::mutex mutex;  // of the lists, not of their entries
     static constexpr std::size_t kKeptSolutions = 8;
     /// Those that were asked for last, the last one last.
     mutable std::vector<std::shared_ptr<Solution>> solutions;
-    mutable std::vector<Look> looks;
+    mutable std::vector<CachedSurface> surfaces;
 };
 
 }  // namespace nacre

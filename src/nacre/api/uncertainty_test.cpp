@@ -50,7 +50,7 @@ TEST(Uncertain, ReadingsAreThoseOfTheModelAndSpreadAsWide) {
     ASSERT_EQ(more.numbers.size(), 2u);
     EXPECT_EQ(more.numbers[0].standard_deviation, 0);
     EXPECT_NEAR(more.numbers[1].standard_deviation, 0.0025, 1e-15);
-    EXPECT_EQ(fit::shares(more.readings[0].change), (std::vector<double>{0, 1}));
+    EXPECT_EQ(fit::variance_fractions(more.readings[0].change), (std::vector<double>{0, 1}));
 }
 
 TEST(Uncertain, ThinFilmsOfFacetsAreReadToo) {

@@ -33,7 +33,7 @@ enum class SampleKind {
     density,          ///< from a density per solid angle, which pdf() gives as well
     specular,         ///< the reflection or refraction of a smooth interface: a delta distribution
     unknown_density,  ///< by a random walk, whose density has no closed form
-    null  ///< light goes on as if nothing stood there, weakened (BoundBsdf::null_transmission)
+    null              ///< passes straight through, attenuated (BoundBsdf::null_transmission)
 };
 
 /// One direction drawn by BoundBsdf::sample().
@@ -71,7 +71,7 @@ T power_heuristic(const T& own, const T& other) {
 struct FlakeSample {
     Vec3f wo;       ///< a direction out of its lobe
     float pdf = 0;  ///< directions of this flake in all, per solid angle at wo
-    /// Nearly in proportion to flake_weight(), as an eye sees it: to choose among flakes by.
+    /// Selection weight: about the luminance of flake_weight().
     float strength = 0;
     int species = 0, flake = 0;
     FloatLanes colour{};  ///< nearly flake_weight() over `strength`
@@ -113,7 +113,7 @@ void for_each_sample(std::vector<FlakeSamples>& list, Turn&& turn) {
 }
 
 /// A cache of what a surface has computed for a patch, so that it need not be computed again for
-/// the next pair of directions. Owned by whoever asks, one a thread.
+/// the next pair of directions. Owned by the caller, one per thread.
 class PatchMemory {
  public:
     /// @param bytes  BoundBsdf::patch_memory_bytes() of the surfaces that it will serve

@@ -19,7 +19,7 @@ namespace nacre::bsdf {
 ///
 ///     w'_xy = w_xy + (n cos t' - cos t) m_xy,
 ///
-/// and is asked with it, in and out. Its answer holds the flat coat's transmittances, which are
+/// and is evaluated for it, in and out. Its value holds the flat coat's transmittances, which are
 /// replaced by those at t, and its irradiance: for light from wo
 ///
 ///     f(wi, wo) = flat(wi', wo') T(t_i) / T'_i  T(t_o) / T'_o  (w_z cos t) / (cos t' wo_z),
@@ -29,7 +29,7 @@ namespace nacre::bsdf {
 /// coat's critical angle leave where m faces them; there the paint is taken as it is at that angle.
 ///
 /// Of a rough interface (InterfaceLobe), whose facets lie about the tilted normal, t and t' are the angles
-/// of the light that it lets through in the mean, and T is what all facets let through. Its lobe is told
+/// of the light that it lets through in the mean, and T is what all facets let through. Its lobe is treated
 /// apart from the layers, and is that of the frame of the tilted normal,
 ///
 ///     f(wi, wo) = (flat - lobe)(wi', wo') ... + lobe(M wi, M wo) (wo . m) / wo_z,

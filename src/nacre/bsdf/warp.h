@@ -165,7 +165,7 @@ class SquareWarp {
 
  public:
     /// @param values  [slice][row][column], not negative
-    /// @throws Stopped if `work`, which is asked where it is not null, says so
+    /// @throws Stopped if `work`, which may be null, asks to stop
     SquareWarp(std::span<const float> values, int slices, int rows, int columns,
                SharedProgress* work = nullptr);
 

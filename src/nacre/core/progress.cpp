@@ -33,7 +33,7 @@ extern "C" void on_signal(int signal_number) {
 }  // namespace
 
 void SharedProgress::report() {
-    last_asked_ = Clock::now();
+    last_report_ = Clock::now();
     if (!stopped_ && !progress_(std::min(1.0, done_ / total_))) stopped_ = true;
 }
 
@@ -44,7 +44,7 @@ void SharedProgress::add(double done) {
     report();
 }
 
-bool SharedProgress::ask() {
+bool SharedProgress::keep_going() {
     if (!progress_ || stopped_) return !stopped_;
     // Loops ask once a sample. The coarse clock, of a few milliseconds, costs a tenth of the fine
     // one, and a lock is taken only where the time has come for this thread.
@@ -59,14 +59,15 @@ bool SharedProgress::ask() {
     last = this;
     last_ms = now_ms;
     const std::unique_lock lock(mutex_, std::try_to_lock);
-    if (lock.owns_lock() && Clock::now() - last_asked_ >= std::chrono::milliseconds(kInterval_ms)) {
+    if (lock.owns_lock() &&
+        Clock::now() - last_report_ >= std::chrono::milliseconds(kInterval_ms)) {
         report();
     }
     return !stopped_;
 }
 
 void SharedProgress::throw_if_stopped(const char* what) {
-    if (!ask()) throw Stopped(fmt::format("{} was stopped", what));
+    if (!keep_going()) throw Stopped(fmt::format("{} was stopped", what));
 }
 
 InterruptHandler::InterruptHandler() : active_(!installed.exchange(true)) {

@@ -36,7 +36,7 @@ class SharedProgress {
     void add(double done = 1);
     /// Asks without counting, for loops inside of long pieces: at most every 50 ms, and never
     /// waiting for another thread that asks. @return false if the caller asked to stop
-    bool ask();
+    bool keep_going();
     /// Whether the caller asked to stop; threads begin no further piece.
     bool stopped() const { return stopped_; }
     /// Asks, as above, and ends a loop of threads if it must stop.
@@ -50,7 +50,7 @@ class SharedProgress {
 
     const Progress& progress_;
     double total_, done_ = 0;
-    Clock::time_point last_asked_{};
+    Clock::time_point last_report_{};
     std::mutex mutex_;
     std::atomic<bool> stopped_ = false;
 };

@@ -109,7 +109,7 @@ TEST(SharedProgress, TellsFromOneThreadAtATimeWhatAllHaveDone) {
     SharedProgress work(progress, 2000);
     parallel_for(0, 1000, [&](std::size_t) {
         work.add(2);
-        work.ask();
+        work.keep_going();
     });
     EXPECT_GE(calls, 1000);
     EXPECT_EQ(last, 1.0);
@@ -124,7 +124,7 @@ TEST(SharedProgress, RemembersThatItWasAskedToStop) {
     for (int i = 0; i < 10; ++i) work.add();
     EXPECT_EQ(calls, 3);  // nobody is asked again
     EXPECT_TRUE(work.stopped());
-    EXPECT_FALSE(work.ask());
+    EXPECT_FALSE(work.keep_going());
     try {
         work.throw_if_stopped("counting");
         FAIL() << "went on";
@@ -138,9 +138,9 @@ TEST(SharedProgress, AsksThroughAnother) {
     int calls = 0;
     const Progress progress = [&](double) { return ++calls < 1; };
     SharedProgress outer(progress, 1);
-    const Progress asks_outer = [&](double) { return outer.ask(); };
+    const Progress asks_outer = [&](double) { return outer.keep_going(); };
     SharedProgress inner(asks_outer, 1);
-    std::thread([&] { EXPECT_FALSE(inner.ask()); }).join();  // which has asked nobody lately
+    std::thread([&] { EXPECT_FALSE(inner.keep_going()); }).join();  // which has asked nobody lately
     EXPECT_EQ(calls, 1);
 }
 
@@ -148,7 +148,7 @@ TEST(SharedProgress, NeedsNobodyToTell) {
     const Progress nobody;
     SharedProgress work(nobody, 1);
     work.add();
-    EXPECT_TRUE(work.ask());
+    EXPECT_TRUE(work.keep_going());
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ class References {
     /// `check` before it is read: what that throws, resolve() throws.
     References checked_by(std::function<void(const std::filesystem::path&)> check) const;
     /// Whether messages about the text may quote it. Not if another text named it, which may name
-    /// any file: what stands there is not for the eyes of whoever sees the message.
+    /// any file, one that the reader of the message may not be allowed to see among them.
     bool may_quote() const { return !named_; }
 
     /// The path of a file by its name in the text.

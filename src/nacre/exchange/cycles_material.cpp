@@ -43,7 +43,7 @@ double glossy(const Vec3d& normal, const ShadingDirections& at, double alpha) {
     return beckmann_distribution(dot(normal, at.h), alpha) * seen / (4 * nv * at.l.z);
 }
 
-/// The shares of the stops at a place in [0, 1].
+/// The weights of the stops at a place in [0, 1].
 std::array<double, CyclesRamp::kStops> ramp_weights(double place) {
     constexpr int kStops = CyclesRamp::kStops;
     const double x = place * (kStops - 1);
@@ -133,15 +133,15 @@ FormatModel cycles_model(bool coat, bool coat_is_rough, double coat_ior) {
         model.parameters.push_back({lobe + "widening", 0, 1, 0.5});
         model.parameters.push_back({lobe + "lean", kMinLean, kMaxLean, 0});
     }
-    const auto add_shares = [&](const std::string& ramp, int stops) {
+    const auto add_fractions = [&](const std::string& ramp, int stops) {
         for (int k = 0; k < 3 * stops; ++k) {
             model.parameters.push_back(
                 {fmt::format("{} share[{}][{}]", ramp, k / 3, k % 3), 0, 1, 0.3, 2, false});
         }
     };
-    add_shares("diffuse", 1);
+    add_fractions("diffuse", 1);
     for (std::size_t i = 0; i < kRoughness.size(); ++i) {
-        add_shares(fmt::format("lobe {}", i + 1), CyclesRamp::kStops);
+        add_fractions(fmt::format("lobe {}", i + 1), CyclesRamp::kStops);
     }
     if (coat && coat_is_rough) model.parameters.push_back({"coat roughness", 0.1, 1, 0.3});
     model.coat = coat;
@@ -162,9 +162,9 @@ CyclesMaterial cycles_material(const FormatModel& model, const std::vector<doubl
         lobe.lean = *value++;
     }
     const auto next_color = [&] {
-        Vec3d share;
-        for (int c = 0; c < 3; ++c) share[c] = *value++;
-        return share;
+        Vec3d fraction;
+        for (int c = 0; c < 3; ++c) fraction[c] = *value++;
+        return fraction;
     };
     const Vec3d white{1, 1, 1}, diffuse = next_color();
     m.diffuse = diffuse;
@@ -172,9 +172,9 @@ CyclesMaterial cycles_material(const FormatModel& model, const std::vector<doubl
     left.fill(white - diffuse);
     for (CyclesLobe& lobe : m.lobes) {
         for (int k = 0; k < CyclesRamp::kStops; ++k) {
-            const Vec3d share = next_color();
-            lobe.color.stops[k] = left[k] * share;
-            left[k] = left[k] * (white - share);
+            const Vec3d fraction = next_color();
+            lobe.color.stops[k] = left[k] * fraction;
+            left[k] = left[k] * (white - fraction);
         }
     }
     m.coat = model.coat;

@@ -126,9 +126,9 @@ Vec3d GltfAt::brdf(const GltfMaterial& m) {
         if (!film_.is_of(m.iridescence_ior, m.iridescence_nm)) {
             film_ = GltfFilm(at.vh, m.iridescence_ior, m.iridescence_nm);
         }
-        const double share = m.iridescence;
-        metal = (1 - share) * metal + share * film_.reflectance(m.base_color);
-        dielectric = (1 - share) * dielectric + share * m.specular * film_.reflectance(f0);
+        const double weight = m.iridescence;
+        metal = (1 - weight) * metal + weight * film_.reflectance(m.base_color);
+        dielectric = (1 - weight) * dielectric + weight * m.specular * film_.reflectance(f0);
     }
     const double left = std::max(0.0, 1 - max_component(dielectric));
     Vec3d f = m.metallic * lobe * metal +

@@ -132,7 +132,7 @@ double sum_of_squares(const ColourCost& cost, const std::vector<double>& x) {
 }
 
 /// Levenberg and Marquardt within the cube, by differences.
-void improve(ColourCost& cost, std::vector<double>& x, int steps_at_most) {
+void improve(ColourCost& cost, std::vector<double>& x, int max_steps) {
     ceres::Problem::Options owner;
     owner.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
     ceres::Problem problem(owner);
@@ -145,7 +145,7 @@ void improve(ColourCost& cost, std::vector<double>& x, int steps_at_most) {
     options.linear_solver_type = ceres::DENSE_QR;
     options.num_threads = 1;
     options.logging_type = ceres::SILENT;
-    options.max_num_iterations = steps_at_most;
+    options.max_num_iterations = max_steps;
     options.function_tolerance = 1e-7;
     ceres::Solver::Summary summary;
     const QuietCeres quiet;

@@ -129,7 +129,7 @@ WebglFilms webgl_films(const bsdf::SpeciesFilms& species) {
     constexpr int kRows = kWebglFilmIntervals + 1;
     WebglFilms out{{"nacreFilms", {1, 1}, {}}, {"nacreFieldFilms", 4, true, {}}};
     std::vector<const bsdf::FlakeFilms*> kinds;
-    std::size_t most_sets = 0;
+    std::size_t max_sets = 0;
     for (const auto& films : species) {
         const std::size_t sets = films ? films->sets() : 0;
         std::size_t kind = 0;
@@ -139,10 +139,10 @@ WebglFilms webgl_films(const bsdf::SpeciesFilms& species) {
             kind = static_cast<std::size_t>(same - kinds.begin());
             if (same == kinds.end()) kinds.push_back(films.get());
         }
-        most_sets = std::max(most_sets, sets);
-        const double least_cosine = films ? films->min_cosine() : 0;
+        max_sets = std::max(max_sets, sets);
+        const double min_cosine = films ? films->min_cosine() : 0;
         for (const double x : {static_cast<double>(sets), static_cast<double>(kRows * kind),
-                               least_cosine, kWebglFilmIntervals / (1 - least_cosine)}) {
+                               min_cosine, kWebglFilmIntervals / (1 - min_cosine)}) {
             out.uniform.values.push_back(static_cast<float>(x));
         }
     }
@@ -151,7 +151,7 @@ WebglFilms webgl_films(const bsdf::SpeciesFilms& species) {
         rgba.assign(4, half_bits(1));
         return out;
     }
-    const std::size_t width = 4 * most_sets;
+    const std::size_t width = 4 * max_sets;
     if (kRows * kinds.size() > kMaxTextureSize) {
         throw DomainError(fmt::format(
             "paint: its {} kinds of flakes with films that vary need a texture {} high; "

@@ -109,15 +109,15 @@ std::string layers_text(const WebglShader::Layout& layout) {
     for (std::size_t n = 0; n < layout.layers.size(); ++n) {
         add_layer(layout, n, flakes, pigments, lines);
     }
-    if (!layout.closing) {
+    if (!layout.compensation) {
         lines.add("rest = vec3(1.);");
         return std::move(lines).text();
     }
     const std::string gain = webgl_gain(layout, layout.layers.size() - 1, "1.", "", lines);
     lines.add_for_groups(fmt::format(
-        "closing = nacreBoth({}, @, p); rest += nacreRgb(closing, @); "
-        "ground += nacreRgb((exp(min({}, {:.1f})) - closing) * nacreBoth({}, @, p), @);",
-        *layout.closing, gain, bsdf::kMaxGain, *layout.ground));
+        "compensation = nacreBoth({}, @, p); rest += nacreRgb(compensation, @); "
+        "ground += nacreRgb((exp(min({}, {:.1f})) - compensation) * nacreBoth({}, @, p), @);",
+        *layout.compensation, gain, bsdf::kMaxGain, *layout.ground));
     return std::move(lines).text();
 }
 

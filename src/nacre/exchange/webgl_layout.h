@@ -68,8 +68,8 @@ struct WebglShader::Layout {
     std::array<Bands, 3> rgb;  ///< weights of the bands in red, green and blue
     std::vector<Layer> layers;
     std::vector<Gaps> gaps;
-    std::optional<int> ground;   ///< light from below that met no flake
-    std::optional<int> closing;  ///< of the other multiple scattering, so that none is lost
+    std::optional<int> ground;        ///< light from below that met no flake
+    std::optional<int> compensation;  ///< of the other multiple scattering, so that none is lost
     std::optional<int> albedo, masked, masking;
     struct Lobe {
         double alpha, ior;
@@ -126,7 +126,7 @@ inline constexpr int kWebglFilmIntervals = 32;
 /// @throws DomainError if no texture is high enough
 WebglFilms webgl_films(const bsdf::SpeciesFilms& species);
 
-/// Declares share0, share1, ..., lengths by which the gaps of each species help light from the fraction
+/// Declares shard0, shard1, ..., lengths by which the gaps of each species help light from the fraction
 /// `u` of a layer's thickness, and returns ln of what they let through, for add_for_groups().
 std::string webgl_gain(const WebglShader::Layout& layout, std::size_t layer, const char* u,
                        const char* indent, WebglLines& lines);

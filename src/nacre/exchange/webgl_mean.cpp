@@ -55,9 +55,9 @@ class Mean {
         const Pair pair(wi, wo, layout_.ior);
         Vec3d value = multiple(pair) / (pair.i.z + pair.o.z);
         if (layout_.roughness > 0) return value + interface(pair);
-        if (layout_.closing) {
-            const BandSums closing = both(*layout_.closing, pair);
-            value = value * rgb(closing) + ground(pair, closing);
+        if (layout_.compensation) {
+            const BandSums compensation = both(*layout_.compensation, pair);
+            value = value * rgb(compensation) + ground(pair, compensation);
         }
         const double through = (1 - fresnel(wi.z, layout_.ior)) * (1 - fresnel(wo.z, layout_.ior));
         return through / (layout_.ior * layout_.ior) * (value + once(pair));
@@ -202,10 +202,10 @@ class Mean {
         return sum;
     }
 
-    Vec3d ground(const Pair& pair, const BandSums& closing) const {
+    Vec3d ground(const Pair& pair, const BandSums& compensation) const {
         BandSums light = both(*layout_.ground, pair);
         const BandSums more = gain(pair, layout_.layers.size() - 1, 1);
-        for (int b = 0; b < kWebglBands; ++b) light[b] *= bounded_exp(more[b]) - closing[b];
+        for (int b = 0; b < kWebglBands; ++b) light[b] *= bounded_exp(more[b]) - compensation[b];
         return rgb(light);
     }
 

@@ -158,9 +158,9 @@ class Tabulator {
                 layout_.gaps.push_back(
                     {species.layer, species.diameter_um, add_spectra(species.coupling)});
             }
-            const auto& [species, ground, closing] = *arrays_.hot_spot;
-            if (!closing.empty()) {
-                layout_.closing = add_spectra(closing);
+            const auto& [species, ground, compensation] = *arrays_.hot_spot;
+            if (!compensation.empty()) {
+                layout_.compensation = add_spectra(compensation);
                 // Black as well, so that a substrate's reflectance changes no text.
                 layout_.ground = ground.empty() ? add(std::vector<double>(kWebglBands, 0.0))
                                                 : add_spectra(ground);

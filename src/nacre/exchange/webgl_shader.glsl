@@ -126,13 +126,13 @@ float nacreLeast(vec4 x) { return min(min(x.x, x.y), min(x.z, x.w)); }
 struct NacreLight {
     vec3 once;     // met one flake or particle
     vec3 ground;   // gained from below through gaps
-    vec3 closing;  // what is left of all other light
+    vec3 compensation;  // what is left of all other light
 };
 
 /// Without what the interface turns away. whole: with the mean of the flakes that are shown one by one.
 NacreLight nacreLight(NacrePair p, bool whole) {
     vec3 once = vec3(0.), ground = vec3(0.), rest = vec3(0.);
-    vec4 depth[4], here[4], kernel[4], escape[4], closing;
+    vec4 depth[4], here[4], kernel[4], escape[4], compensation;
     float reach, lobe, angle, path = 1. / p.i.z + 1. / p.o.z;
     int node;
     @DEPTHS@
@@ -187,7 +187,7 @@ vec3 nacreColour(vec3 wi, vec3 wo) {
     vec3 value = tabulated.rgb;
 #if NACRE_SMOOTH_COAT
     NacreLight light = nacreLight(p, false);
-    value = light.closing * value + light.ground + light.once;
+    value = light.compensation * value + light.ground + light.once;
     value *= (1. - nacreFresnel(wi.z)) * (1. - nacreFresnel(wo.z)) / (nacreIor * nacreIor);
 #else
     value += nacreInterface(wi, wo, p);

@@ -100,7 +100,7 @@ TEST(CorrelatedUncertainty, OfUncorrelatedNumbersIsThatOfIndependentOnes) {
     for (std::size_t q = 0; q < kQuantities.size(); ++q) {
         EXPECT_EQ(a.linearity[q].beyond, b.linearity[q].beyond);
     }
-    EXPECT_EQ(shares(a.change, zero.correlation), shares(b.change));
+    EXPECT_EQ(variance_fractions(a.change, zero.correlation), variance_fractions(b.change));
 }
 
 TEST(CorrelatedUncertainty, SharesAreCovariancesWithTheReadingAndSumToOne) {
@@ -112,12 +112,12 @@ TEST(CorrelatedUncertainty, SharesAreCovariancesWithTheReadingAndSumToOne) {
                                   Case{0.9, 2.2 / 1.4, -0.8 / 1.4}, Case{-1, 2.0 / 3, 1.0 / 3}}) {
         const Uncertainty u = of_function(lab, r);
         const std::vector<double> of_l =
-            shares(u.readings[0].change_of(Quantity::lightness), u.correlation);
+            variance_fractions(u.readings[0].change_of(Quantity::lightness), u.correlation);
         EXPECT_NEAR(of_l[0], x, 1e-10) << r;
         EXPECT_NEAR(of_l[1], y, 1e-10) << r;
         // Of L*, a* and b* together: a* has the variance 1, all of it from x.
         const double variance = 5 - 4 * r;
-        const std::vector<double> of_all = shares(u.readings[0].change, u.correlation);
+        const std::vector<double> of_all = variance_fractions(u.readings[0].change, u.correlation);
         EXPECT_NEAR(of_all[0], (x * variance + 1) / (variance + 1), 1e-10);
         EXPECT_NEAR(of_all[0] + of_all[1], 1, 1e-12);
     }
@@ -182,7 +182,7 @@ TEST(CorrelatedUncertainty, OfACoefficientOfOneIsThatOfOneNumber) {
         -1, 100);
     EXPECT_NEAR(cancelled.readings[0].first_order.lab()[0], 0, 1e-9);
     EXPECT_NEAR(cancelled.readings[0].sampled->lab()[0], 0, 1e-7);
-    EXPECT_EQ(shares(cancelled.readings[0].change, cancelled.correlation),
+    EXPECT_EQ(variance_fractions(cancelled.readings[0].change, cancelled.correlation),
               (std::vector<double>{0, 0}));
     EXPECT_FALSE(cancelled.first_order_fails());
 }
@@ -214,7 +214,8 @@ TEST(CorrelatedUncertainty, OfALayerInTwoHalvesIsThatOfTheWhole) {
     // In which are third derivatives, over steps that differ by a factor of two.
     EXPECT_NEAR(together.readings[0].linearity[0].beyond, whole.readings[0].linearity[0].beyond,
                 0.1 * whole.readings[0].linearity[0].beyond);
-    EXPECT_NEAR(shares(together.readings[0].change, together.correlation)[0], 0.5, 1e-4);
+    EXPECT_NEAR(variance_fractions(together.readings[0].change, together.correlation)[0], 0.5,
+                1e-4);
 }
 
 // Half of a joint normal law: where one number is cut off at its own value, the mean of the other

@@ -16,7 +16,7 @@ Solution solve_alike(const paint::Recipe& recipe, const std::vector<double>& wav
     if (like) chosen = *like;
     chosen.tolerance = tolerance;
     solver::SolvedPaint paint = solver::solve(recipe, wavelengths_nm, chosen, &films,
-                                              [&work](double) { return work.ask(); });
+                                              [&work](double) { return work.keep_going(); });
     chosen.exit_nodes = paint.report.exit_nodes;
     chosen.inner_nodes = paint.report.inner_nodes;
     chosen.max_orders = paint.report.orders;

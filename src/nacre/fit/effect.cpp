@@ -8,7 +8,7 @@ namespace nacre::fit {
 
 namespace {
 
-const std::vector<double> kLooks_nm = {450, 550, 650};
+const std::vector<double> kProbe_nm = {450, 550, 650};
 
 /// Diameters and their spreads, which the hot spot depends on.
 std::vector<double> flake_sizes(const paint::Recipe& recipe) {
@@ -32,7 +32,7 @@ EffectOnColours::EffectOnColours(const paint::Recipe& recipe, bool hot_spot, Sha
     : recipe_(recipe),
       hot_spot_(hot_spot),
       work_(work),
-      medium_(solver::make_medium(recipe, kLooks_nm, nullptr, &work)) {}
+      medium_(solver::make_medium(recipe, kProbe_nm, nullptr, &work)) {}
 
 bool EffectOnColours::of(const FreeNumber& number) const {
     const double here = number.to_unit(number.start);
@@ -40,7 +40,7 @@ bool EffectOnColours::of(const FreeNumber& number) const {
         paint::Recipe recipe = recipe_;
         paint::set_parameter(recipe, number.bounds.key,
                              number.from_unit(here > 0.5 ? here - 0.25 : here + 0.25));
-        if (!(solver::make_medium(recipe, kLooks_nm, nullptr, &work_) == medium_)) return true;
+        if (!(solver::make_medium(recipe, kProbe_nm, nullptr, &work_) == medium_)) return true;
         return hot_spot_ && flake_sizes(recipe) != flake_sizes(recipe_);
     } catch (const DomainError&) {
         return true;  // invalid with the other numbers as they are: it may have an effect

@@ -77,7 +77,7 @@ NextTerms next_terms(const std::vector<double>& first, const Sensitivities& move
     return out;
 }
 
-/// The definition of shares(), from the products of the changes of two numbers.
+/// The definition of variance_fractions(), from the products of the changes of two numbers.
 template <class Product>
 std::vector<double> covariances_over_variance(std::size_t numbers,
                                               const std::vector<double>& correlation,
@@ -94,7 +94,7 @@ std::vector<double> covariances_over_variance(std::size_t numbers,
     }
     const double variance = sum_of(out);
     if (!(variance > squared(kRounding))) return std::vector<double>(numbers, 0.0);
-    for (double& share : out) share /= variance;
+    for (double& fraction : out) fraction /= variance;
     return out;
 }
 
@@ -201,15 +201,15 @@ Ellipse ab_ellipse(const Spread& spread, double probability) {
             {-minor * std::sin(angle), minor * std::cos(angle)}};
 }
 
-std::vector<double> shares(const std::vector<double>& change,
-                           const std::vector<double>& correlation) {
+std::vector<double> variance_fractions(const std::vector<double>& change,
+                                       const std::vector<double>& correlation) {
     return covariances_over_variance(change.size(), correlation, [&](std::size_t i, std::size_t j) {
         return change[i] * change[j];
     });
 }
 
-std::vector<double> shares(const std::vector<Vec3d>& change,
-                           const std::vector<double>& correlation) {
+std::vector<double> variance_fractions(const std::vector<Vec3d>& change,
+                                       const std::vector<double>& correlation) {
     return covariances_over_variance(change.size(), correlation, [&](std::size_t i, std::size_t j) {
         return i == j ? squared(std::hypot(change[i][0], change[i][1], change[i][2]))
                       : dot(change[i], change[j]);

@@ -42,7 +42,7 @@ void require_effect(const FreeNumbers& numbers, bool hot_spot, SharedProgress& w
 measure::Measurement colours_of(const Target& target, const paint::Recipe& recipe,
                                 SharedProgress& work) {
     return target.read(solver::solve(recipe, target.wavelengths_nm(Detail::fine), {}, nullptr,
-                                     [&](double) { return work.ask(); }),
+                                     [&](double) { return work.keep_going(); }),
                        Detail::fine);
 }
 

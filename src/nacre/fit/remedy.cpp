@@ -30,7 +30,7 @@ struct Trial {
         : widens(widens), numbers(paint, {bounds.key}, {bounds}), model(numbers, target, work) {}
 
     const FreeNumber& number() const { return numbers[0]; }
-    double least_rms() const { return rms_delta_e[best]; }
+    double min_rms() const { return rms_delta_e[best]; }
 
     bool widens;
     FreeNumbers numbers;
@@ -127,13 +127,13 @@ std::vector<Remedy> find_remedies(const Target& target, const paint::Recipe& fou
     if (trials.empty()) return {};
     const auto now = trials[0]->model.evaluate(trials[0]->numbers.start_point(), Detail::screening);
     const double rms_now = now ? target.rms_delta_e(now->values) : INFINITY;
-    std::ranges::stable_sort(trials, {}, [](const auto& trial) { return trial->least_rms(); });
+    std::ranges::stable_sort(trials, {}, [](const auto& trial) { return trial->min_rms(); });
     std::vector<Remedy> remedies;
     std::vector<std::string> tried;
     for (const auto& trial : trials) {
         solves += trial->model.solves();
         const std::string& key = trial->number().bounds.key;
-        if (tried.size() == kMaxRemedies || trial->least_rms() >= rms_now ||
+        if (tried.size() == kMaxRemedies || trial->min_rms() >= rms_now ||
             std::ranges::find(tried, key) != tried.end()) {
             continue;
         }

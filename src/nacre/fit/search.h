@@ -30,7 +30,7 @@ struct Descent {
 /// Least squares from a point of the unit cube, within it: steps of Levenberg and Marquardt cut off
 /// at the bounds, by Ceres Solver.                  [levenberg-1944; marquardt-1963; agarwal-2022]
 ///
-/// @param after_step  called after each step; empty: nobody
+/// @param after_step  called after each step; may be empty
 /// @return a descent with an infinite difference if there is no paint at the start
 Descent descend(const ColourModel& model, std::vector<double> x, Detail detail,
                 const DescentLimits& limits, const std::function<void()>& after_step = {});

@@ -10,7 +10,7 @@ namespace nacre::fit {
 
 namespace {
 
-constexpr double kMinShare = 0.1;
+constexpr double kMinFraction = 0.1;
 constexpr double kMinDelta_e = 0.5;
 
 /// A colour of another chroma; grey stays grey.
@@ -47,23 +47,24 @@ std::vector<Shortfall> shortfalls(const measure::Difference& difference) {
     std::vector<Shortfall> all;
     double sum = 0;
     for (const Attribute attribute : {Attribute::lightness, Attribute::chroma, Attribute::hue}) {
-        Shortfall one{.attribute = attribute, .share = 0, .angles = {}};
+        Shortfall one{.attribute = attribute, .fraction = 0, .angles = {}};
         for (const measure::AngleDifference& angle : difference.angles) {
             const double alone = delta_e_alone(angle.lab_standard, angle.lab_sample, attribute);
-            one.share += angle.weight * alone * alone;
+            one.fraction += angle.weight * alone * alone;
             if (alone >= kMinDelta_e && angle.weight > 0) {
                 one.angles.push_back({&angle, delta_of(angle, attribute), alone});
             }
         }
         std::ranges::stable_sort(one.angles, std::ranges::greater(),
                                  &Shortfall::AtAngle::delta_e_2000);
-        sum += one.share;
+        sum += one.fraction;
         all.push_back(std::move(one));
     }
-    for (Shortfall& one : all) one.share = sum > 0 ? one.share / sum : 0;
-    std::erase_if(all,
-                  [](const Shortfall& one) { return one.angles.empty() || one.share < kMinShare; });
-    std::ranges::stable_sort(all, std::ranges::greater(), &Shortfall::share);
+    for (Shortfall& one : all) one.fraction = sum > 0 ? one.fraction / sum : 0;
+    std::erase_if(all, [](const Shortfall& one) {
+        return one.angles.empty() || one.fraction < kMinFraction;
+    });
+    std::ranges::stable_sort(all, std::ranges::greater(), &Shortfall::fraction);
     return all;
 }
 

@@ -13,7 +13,7 @@ enum class Attribute { lightness, chroma, hue };
 struct Shortfall {
     Attribute attribute = Attribute::lightness;
     /// Its part in the weighted sum of squares of the three attributes' Delta E 2000, [0, 1].
-    double share = 0;
+    double fraction = 0;
     struct AtAngle {
         const measure::AngleDifference* angle;  ///< of the difference that was asked about
         /// Sample less standard: of L*, C*, or Delta H* (measure::AngleDifference::delta_hue()).
@@ -23,7 +23,7 @@ struct Shortfall {
     std::vector<AtAngle> angles;  ///< where it is 0.5 Delta E or more, the largest first
 };
 
-/// Attributes with a share of a tenth or more that show at some angle, the largest first. What an
+/// Attributes with a fraction of a tenth or more that show at some angle, the largest first. What an
 /// attribute does alone is the Delta E 2000 of the standard's colour from the one that differs from
 /// it in this attribute as the sample does; of hue, both having the geometric mean of their chromas.
 /// @param difference  outlives what is returned

@@ -35,7 +35,7 @@ TEST(Shortfall, NamesTheAttributeThatDiffersWithItsSign) {
         const std::vector<Shortfall> found = shortfalls(difference);
         ASSERT_EQ(found.size(), 1u) << delta;
         EXPECT_EQ(found[0].attribute, attribute);
-        EXPECT_NEAR(found[0].share, 1, 1e-9);
+        EXPECT_NEAR(found[0].fraction, 1, 1e-9);
         ASSERT_EQ(found[0].angles.size(), 1u);
         EXPECT_EQ(found[0].angles[0].angle, &difference.angles[1]);
         EXPECT_NEAR(found[0].angles[0].delta, delta, 1e-9);
@@ -49,7 +49,7 @@ TEST(Shortfall, TheLargestComesFirst) {
     const std::vector<Shortfall> found = shortfalls(difference);
     ASSERT_EQ(found.size(), 2u);
     EXPECT_EQ(found[0].attribute, Attribute::chroma);
-    EXPECT_NEAR(found[0].share + found[1].share, 1, 1e-9);
+    EXPECT_NEAR(found[0].fraction + found[1].fraction, 1, 1e-9);
     ASSERT_EQ(found[1].angles.size(), 2u);  // not that of weight 0
     EXPECT_NEAR(found[1].angles[0].delta, 10, 1e-12);
     EXPECT_NEAR(found[1].angles[1].delta, -3, 1e-12);

@@ -116,10 +116,10 @@ struct MetricUncertainty {
 /// Those of all of L*, a* and b* together for Vec3d.
 /// @param change       by number, with one standard deviation of it
 /// @param correlation  of the numbers, row by row; empty: they are independent
-std::vector<double> shares(const std::vector<double>& change,
-                           const std::vector<double>& correlation = {});
-std::vector<double> shares(const std::vector<Vec3d>& change,
-                           const std::vector<double>& correlation = {});
+std::vector<double> variance_fractions(const std::vector<double>& change,
+                                       const std::vector<double>& correlation = {});
+std::vector<double> variance_fractions(const std::vector<Vec3d>& change,
+                                       const std::vector<double>& correlation = {});
 
 struct Uncertainty {
     measure::Measurement measurement;  ///< of the recipe as it is

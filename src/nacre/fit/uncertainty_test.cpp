@@ -78,10 +78,10 @@ TEST(Uncertainty, OfALinearReadingIsJacobianTimesCovarianceTimesJacobian) {
     EXPECT_EQ(u.redrawn, 0);
     EXPECT_FALSE(u.first_order_fails());
 
-    const std::vector<double> of_a = shares(r.change_of(Quantity::a));
+    const std::vector<double> of_a = variance_fractions(r.change_of(Quantity::a));
     EXPECT_NEAR(of_a[0], 0.16 / 0.25, 1e-10);
     EXPECT_NEAR(of_a[1], 0.09 / 0.25, 1e-10);
-    EXPECT_NEAR(shares(r.change)[0], 0.56 / 0.81, 1e-10);
+    EXPECT_NEAR(variance_fractions(r.change)[0], 0.56 / 0.81, 1e-10);
 }
 
 TEST(Uncertainty, ChromaAndHueFollowFromAAndB) {
@@ -204,7 +204,7 @@ TEST(Uncertainty, NothingUncertainGivesZeros) {
         EXPECT_EQ(r.first_order.reflectance_factor, std::vector<double>(31, 0.0));
         EXPECT_EQ(r.mean_shift, Vec3d{});
         EXPECT_TRUE(r.doubtful().empty());
-        EXPECT_EQ(shares(r.change), (std::vector<double>{0, 0}));
+        EXPECT_EQ(variance_fractions(r.change), (std::vector<double>{0, 0}));
     }
     EXPECT_EQ(u.flop_index->first_order, 0);
     EXPECT_FALSE(u.first_order_fails());
@@ -371,11 +371,11 @@ void compare_with_draws(double film_sigma_nm, double of_the_rest, bool holds, co
     if (std::getenv("NACRE_WRITE_TRUTH")) print(draw(recipe, deviations, frozen.count));
     expect_like(frozen, u);
     expect_like(draw(recipe, deviations, 40), u);
-    double most_hue = 0;
+    double max_hue = 0;
     for (const ReadingUncertainty& here : u.readings) {
-        most_hue = std::max(most_hue, *here.first_order.hue_deg);
+        max_hue = std::max(max_hue, *here.first_order.hue_deg);
     }
-    EXPECT_GT(most_hue, 3 * film_sigma_nm);  // the film is uncertain enough to matter
+    EXPECT_GT(max_hue, 3 * film_sigma_nm);  // the film is uncertain enough to matter
 }
 
 // The draws are of the solver of Nacre 0.1.0, printed by NACRE_WRITE_TRUTH=1 with these filters. Where

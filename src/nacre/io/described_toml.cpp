@@ -200,8 +200,9 @@ class Reader final : public paint::Visitor {
         const std::vector<std::string> own = keys[one]();
         for (const auto& keys_of_one : keys) {
             for (const std::string& key : keys_of_one()) {
-                const bool foreign = std::find(own.begin(), own.end(), key) == own.end();
-                if (foreign && table_.has(key)) table_.fail(key, alternatives.each[one].foreign);
+                const bool exclusion = std::find(own.begin(), own.end(), key) == own.end();
+                if (exclusion && table_.has(key))
+                    table_.fail(key, alternatives.each[one].exclusion);
             }
         }
         return one;
@@ -260,13 +261,13 @@ class Writer final : public paint::Visitor {
         : path_(std::move(path)), in_line_(in_line) {}
 
     void number(const Field& field, double& x) override {
-        if (!field.tacit || x != 0) add(field, toml_number(x));
+        if (!field.omit_default || x != 0) add(field, toml_number(x));
     }
     void spectrum(const Field& field, Spectrum& s) override { add(field, toml_spectrum(s)); }
     void material(const Field& field, Material& m) override { add(field, material_text(m)); }
     void text(const Field& field, std::string& text) override { add(field, toml_text(text)); }
     void choice(const Field& field, const paint::Words& words, std::size_t& index) override {
-        if (!field.tacit || index != 0) add(field, toml_text(words[index]));
+        if (!field.omit_default || index != 0) add(field, toml_text(words[index]));
     }
     void flag(const Field& field, bool& value) override { add(field, value ? "true" : "false"); }
     void vector(const Field& field, Vec3f& v) override {

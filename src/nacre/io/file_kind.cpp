@@ -36,7 +36,7 @@ constexpr std::pair<FileKind, const char*> kKindWords[] = {
     {FileKind::pigment, "a pigment"},
     {FileKind::solved_paint, "a solved paint"},
     {FileKind::brdf_table, "a table of a BRDF"},
-    {FileKind::picture_share, "a share of a picture; nacre merge puts the shares together"},
+    {FileKind::picture_shard, "a shard of a picture; nacre merge puts the shards together"},
     {FileKind::rgl, "a measured BRDF (RGL, .bsdf)"},
     {FileKind::merl, "a measured BRDF (MERL, .binary)"},
     {FileKind::measured_colours, "measured colours"},
@@ -293,7 +293,7 @@ FileKind kind_of_bytes(std::string_view bytes) {
     if (looks_like_image(bytes)) return FileKind::picture;
     if (looks_like_solved_paint(bytes)) return FileKind::solved_paint;
     if (looks_like_brdf_table(bytes)) return FileKind::brdf_table;
-    if (bytes.starts_with(std::string(kPictureShareName) + "\n")) return FileKind::picture_share;
+    if (bytes.starts_with(std::string(kPictureShardName) + "\n")) return FileKind::picture_shard;
     if (looks_like_rgl(bytes)) return FileKind::rgl;
     if (looks_like_merl(bytes)) return FileKind::merl;
     if (bytes.starts_with("\x89HDF\r\n\x1a\n")) return FileKind::other_hdf5;

@@ -22,7 +22,7 @@ enum class FileKind {
     // Results of Nacre in HDF5.
     solved_paint,
     brdf_table,
-    picture_share,  ///< of its samples
+    picture_shard,  ///< of its samples
     // Measurements.
     rgl,               ///< .bsdf
     merl,              ///< .binary
@@ -57,8 +57,8 @@ enum class FileKind {
     text
 };
 
-/// How a share of a picture begins; it is read above this room (render/share_file.h).
-inline constexpr std::string_view kPictureShareName = "nacre share of a picture";
+/// How a shard of a picture begins; it is read above this room (render/shard_file.h).
+inline constexpr std::string_view kPictureShardName = "nacre share of a picture";
 
 /// What documents in JSON that commands write and none reads name as their "format".
 inline constexpr std::string_view kDifferenceFormat = "nacre-difference";

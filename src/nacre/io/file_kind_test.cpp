@@ -72,7 +72,7 @@ TEST(FileKind, IsToldByContents) {
         {"<?xml version=\"1.0\"?>\n<cc:CxF>", FileKind::measured_colours},
         {"<?xml version=\"1.0\"?>\n<note>", FileKind::other_xml},
         {"\x89HDF\r\n\x1a\n", FileKind::other_hdf5},
-        {"nacre share of a picture\nversion 1\n", FileKind::picture_share},
+        {"nacre share of a picture\nversion 1\n", FileKind::picture_shard},
         {"\xFF\xD8\xFF\xE0", FileKind::other_picture},
         {std::string("PK\x03\x04\0", 5), FileKind::spreadsheet},
         {"%PDF-1.7\n", FileKind::document},

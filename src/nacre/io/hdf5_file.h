@@ -57,7 +57,7 @@ int read_int_attribute(hid_t object, const char* name);
 Hdf5Handle write_group(hid_t parent, const char* name, const char* meaning);
 /// Writes an array with `unit` and `meaning` as its attributes; compressed where that pays, and then
 /// in pieces along its first dimension where it is long.
-/// @throws Stopped if `work`, which is asked between the pieces where it is not null, says so
+/// @throws Stopped if `work`, which may be null, asks to stop
 void write_array(hid_t parent, const char* name, const Hdf5Shape& shape, const double* values,
                  const char* unit, const char* meaning);
 void write_array(hid_t parent, const char* name, const Hdf5Shape& shape, const float* values,

@@ -98,7 +98,7 @@ std::vector<TensorField> parse_tensor_file(std::string_view bytes, const std::st
 
 /// The bytes of such a file; arrays begin at multiples of 8.
 /// @throws DomainError if a field's bytes do not fit its shape, or there are too many
-/// @throws Stopped if `work`, which is asked where it is not null, says so
+/// @throws Stopped if `work`, which may be null, asks to stop
 std::string tensor_file_bytes(const std::vector<TensorField>& fields,
                               SharedProgress* work = nullptr);
 

@@ -179,11 +179,11 @@ std::optional<std::string> canonical(std::string_view text) {
 
 /// The geometry that the rest of a heading names once a colour is taken off: "-15", "as15", "45as15".
 std::optional<std::string> rest_geometry(std::string_view text) {
-    constexpr std::string_view kBetween = " :/@,;";
-    while (!text.empty() && kBetween.find(text.front()) != std::string_view::npos) {
+    constexpr std::string_view kSeparators = " :/@,;";
+    while (!text.empty() && kSeparators.find(text.front()) != std::string_view::npos) {
         text.remove_prefix(1);
     }
-    while (!text.empty() && kBetween.find(text.back()) != std::string_view::npos) {
+    while (!text.empty() && kSeparators.find(text.back()) != std::string_view::npos) {
         text.remove_suffix(1);
     }
     return geometry_name_of(text);

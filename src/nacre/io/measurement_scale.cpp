@@ -48,12 +48,12 @@ MeasurementScale measurement_scale(const std::vector<MeasurementRow>& rows,
                                    const measure::Conditions& conditions,
                                    const std::string& filename) {
     const MeasurementRow* brightest = nullptr;  // of those with a colour
-    double most = 0, most_far = 0, least = INFINITY;
+    double most = 0, max_far = 0, least = INFINITY;
     for (const MeasurementRow& row : rows) {
         if (row.reflectance_factor.empty()) continue;
         const double largest = largest_of(row);
         most = std::max(most, largest);
-        if (is_far_from_gloss(row)) most_far = std::max(most_far, largest);
+        if (is_far_from_gloss(row)) max_far = std::max(max_far, largest);
         least = std::min(
             least, *std::min_element(row.reflectance_factor.begin(), row.reflectance_factor.end()));
         if (states_colour(row) && (!brightest || largest > largest_of(*brightest)))
@@ -81,7 +81,7 @@ MeasurementScale measurement_scale(const std::vector<MeasurementRow>& rows,
             return {};  // wavelengths that are no grid: whoever reads the rows says so
         }
     }
-    if (most_far > kMaxFactorFarFromGloss || most > kMaxFactor) {
+    if (max_far > kMaxFactorFarFromGloss || most > kMaxFactor) {
         return {true, percent + "; write R400 [1] in the header where they are factors"};
     }
     if (most <= kMaxFactorFarFromGloss || least < kMinPercent) return {};

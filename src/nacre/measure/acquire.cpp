@@ -51,7 +51,7 @@ bsdf::MerlTable acquire_merl(const Brdf& brdf, const std::vector<double>& wavele
         for (int d = 0; d < table.difference; ++d) {
             // phi_d and pi - phi_d: the same by reciprocity and mirror symmetry.
             for (int a = 0; a < (table.azimuths + 1) / 2; ++a) {
-                if (!counter.ask()) return;
+                if (!counter.keep_going()) return;
                 const bsdf::DirectionPair pair = bsdf::directions_of(table.middle(h, d, a));
                 const auto &i = pair.wi, &o = pair.wo;
                 if (i[2] <= 0 || o[2] <= 0) continue;
@@ -247,7 +247,7 @@ bsdf::RglTable acquire_rgl(const std::string& description, const Brdf& brdf,
             {static_cast<float>(std::sin(theta_i)), 0, static_cast<float>(std::cos(theta_i))});
         for (int row = 0; row < (n + 1) / 2; ++row) {
             for (int column = 0; column < n; ++column) {
-                if (!counter.ask()) return;
+                if (!counter.keep_going()) return;
                 const bsdf::RglPoint point = map.at(
                     i, {static_cast<float>(column) / (n - 1), static_cast<float>(row) / (n - 1)});
                 const Vec3f wo = 2 * dot(i.direction, point.normal) * point.normal - i.direction;

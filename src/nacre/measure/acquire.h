@@ -36,7 +36,7 @@ inline void require_table_size(double bytes, double memory) {
 inline constexpr const char* kMeasuring = "measuring the BRDF";
 
 /// Calls body(row, counter) for each row on all threads and reports after each. Within a row the body
-/// asks counter.ask(), and returns early where it says so.
+/// asks counter.keep_going(), and returns early where it says so.
 /// @throws Stopped if `progress` asks to stop
 template <class Body>
 void for_each_row(int rows, const Progress& progress, const Body& body) {

@@ -71,7 +71,7 @@ struct RetinalPicture {
 
 /// @throws DomainError if the eye's blur is narrower than a pixel or the picture is so small that
 ///         fewer than 16 pixels a side are left
-/// @throws Stopped if `work`, which is asked where it is not null, says so
+/// @throws Stopped if `work`, which may be null, asks to stop
 RetinalPicture retinal_picture(const PanelPicture& picture, const Viewing& viewing,
                                SharedProgress* work = nullptr);
 
@@ -130,7 +130,7 @@ struct Graininess {
 /// left out down to the next length without. 0 where noise makes the sum negative, and for a black
 /// picture.
 /// @throws DomainError unless both have the same size, at least 16 pixels a side; as check()
-/// @throws Stopped if `work`, which is asked where it is not null, says so
+/// @throws Stopped if `work`, which may be null, asks to stop
 Graininess graininess(const PanelPicture& a, const PanelPicture& b, const Viewing& viewing = {},
                       SharedProgress* work = nullptr);
 

@@ -257,10 +257,10 @@ TEST(SparkleInPictures, FirstSamplesAreAsBrightAsAll) {
     };
     const int first = render::flake_sampling_stride(options.samples_per_pixel);
     EXPECT_EQ(first, 4);
-    const double all = mean_of(render::render_share(scene, options, {1, 1}));
-    EXPECT_NEAR(mean_of(render::render_share(scene, options, {1, 64 / first})), all, 0.02 * all);
+    const double all = mean_of(render::render_shard(scene, options, {1, 1}));
+    EXPECT_NEAR(mean_of(render::render_shard(scene, options, {1, 64 / first})), all, 0.02 * all);
     // The very first sample alone draws from flakes in all pixels.
-    EXPECT_GT(mean_of(render::render_share(scene, options, {1, 64})), 1.05 * all);
+    EXPECT_GT(mean_of(render::render_shard(scene, options, {1, 64})), 1.05 * all);
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ class NextEventObserver {
         for (std::size_t j = 0; j < connections_.size(); ++j) {
             const Connection& connection = connections_[j];
             if (connection.is_dark()) continue;
-            const double least = connection.least_optical_depth(state.slab, depth);
+            const double least = connection.min_optical_depth(state.slab, depth);
             if (least > reach) continue;
             const Lanes scattered = slab.scattering(state.travel, connection.travel());
             if (is_dark(scattered)) continue;
@@ -98,12 +98,12 @@ Connection::Connection(const AirInterface::Weighted& inner, const Medium& medium
         return result;
     };
     Lanes depth{};
-    double least_depth = 0;
+    double min_depth = 0;
     for (const Slab& slab : medium.slabs) {
         const Lanes per_um = slab.extinction(travel_) / mu;
-        slabs_.push_back({depth, per_um, least_depth, least(per_um)});
+        slabs_.push_back({depth, per_um, min_depth, least(per_um)});
         depth += slab.thickness_um * per_um;
-        least_depth += slab.thickness_um * least(per_um);
+        min_depth += slab.thickness_um * least(per_um);
     }
     from_substrate_ = weight_ * attenuation(depth, lane_count_);
 }

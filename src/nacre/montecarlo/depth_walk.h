@@ -129,8 +129,8 @@ class Connection {
     bool is_dark() const { return weight_ == 0; }
     /// A bound from below, over the wavelengths, of the optical depth along the connection from
     /// `depth_um` below the top of slab number `slab`.
-    double least_optical_depth(std::size_t slab, double depth_um) const {
-        return slabs_[slab].least_above + depth_um * slabs_[slab].least_per_um;
+    double min_optical_depth(std::size_t slab, double depth_um) const {
+        return slabs_[slab].min_above + depth_um * slabs_[slab].min_per_um;
     }
     /// Radiance outside per unit power scattered per sr and unit area at `depth_um` below the top
     /// of slab number `slab`: attenuation, 1 / mu and the interface's weight.
@@ -143,7 +143,7 @@ class Connection {
     /// Optical depth along the direction: of what lies above a slab, and per um of depth in it.
     struct Depths {
         Lanes above, per_um;
-        double least_above, least_per_um;  ///< over the wavelengths
+        double min_above, min_per_um;  ///< over the wavelengths
     };
 
     Vec3d travel_;

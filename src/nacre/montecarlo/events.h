@@ -91,8 +91,8 @@ void check_patience(std::uint64_t flights);
 
 /// To be called before each flight.
 inline void count_flight(std::uint64_t flights) {
-    constexpr std::uint64_t kBetweenChecks = 1 << 10;
-    if (flights % kBetweenChecks == 0) check_patience(flights);
+    constexpr std::uint64_t kCheckInterval = 1 << 10;
+    if (flights % kCheckInterval == 0) check_patience(flights);
 }
 
 inline bool is_dark(const Lanes& lanes) { return lane_max(lanes) <= 0; }

@@ -168,17 +168,19 @@ class RoughAirInterface final : public AirInterface {
     /// One meeting with a facet; false if what goes on from it is masked.
     bool leaves(const Ray& from, RandomStream& random, Ray& to) const {
         const Vec3d x = from.inside ? flipped(from.away) : from.away;  // now upwards
-        const double n_here = from.inside ? index_ : 1, n_there = from.inside ? 1 : index_;
+        const double n_incident = from.inside ? index_ : 1,
+                     n_transmitted = from.inside ? 1 : index_;
         const Vec3d facet = visible_normal(x, random);
         const double cosine = std::min(1.0, dot(x, facet));
         Vec3d y;
         const bool reflected =
-            random.uniform() < optics::dielectric_reflectance(n_here, n_there, cosine);
+            random.uniform() < optics::dielectric_reflectance(n_incident, n_transmitted, cosine);
         if (reflected) {
             y = 2 * cosine * facet - x;
         } else {
-            const double ratio = n_here / n_there;
-            y = (ratio * cosine - optics::refracted_cos(n_here, n_there, cosine)) * facet -
+            const double ratio = n_incident / n_transmitted;
+            y = (ratio * cosine - optics::refracted_cos(n_incident, n_transmitted, cosine)) *
+                    facet -
                 ratio * x;
         }
         y = normalize(y);

@@ -261,7 +261,7 @@ void Experiment::run_block(std::uint64_t block, Moments& moments, SharedProgress
     const std::uint64_t blocks = block_count(settings.samples);
     const std::uint64_t count =
         settings.samples / blocks + (block < settings.samples % blocks ? 1 : 0);
-    for (std::uint64_t i = 0; i < count && counter.ask(); ++i) {
+    for (std::uint64_t i = 0; i < count && counter.keep_going(); ++i) {
         tally.clear();
         if (interface.scatters()) {
             own_connections.clear();

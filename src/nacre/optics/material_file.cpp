@@ -21,8 +21,8 @@
 
 namespace nacre::optics {
 
-// Messages give places and numbers, but quote no text: a recipe may name any file, and what stands
-// in a file that is no material is not for the eyes of whoever sees the message.
+// Messages give lines and numbers, but quote no text: a recipe may name any file, one that is no
+// material and that the reader of the message may not be allowed to see among them.
 
 /// A real function of wavelength, linear between its samples. Wavelengths increase.
 struct SampledFunction {

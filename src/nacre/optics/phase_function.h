@@ -12,7 +12,7 @@ namespace nacre::optics {
 ///
 ///     p(cosine) = sum_n (2 n + 1)/(4 pi) chi_n P_n(cosine),   chi_0 = 1, chi_1 = g,
 ///
-/// which the solver takes; and tabulated, for whoever asks for values or draws directions. Between
+/// which the solver takes; and tabulated, for evaluation and sampling. Between
 /// kIntervals equal steps of the angle the table is linear in the cosine, and it integrates to 1.
 class PhaseFunction {
  public:

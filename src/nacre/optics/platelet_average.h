@@ -258,7 +258,7 @@ class PlateletAverage {
         ComplexLanes r_out, r_in, tt;
     };
     /// A bare interface.
-    static Coat interface_alone(const ComplexLanes& f) {
+    static Coat bare_interface(const ComplexLanes& f) {
         return {f, -f, splat_complex(1.0) - f * f};
     }
 
@@ -269,8 +269,8 @@ class PlateletAverage {
                        const Use& use) const {
         Coat start[2], bare[2];
         for (int p = 0; p < 2; ++p) {
-            start[p] = interface_alone(lanes.interface[p][0]);
-            bare[p] = interface_alone(lanes.bare[p]);
+            start[p] = bare_interface(lanes.interface[p][0]);
+            bare[p] = bare_interface(lanes.bare[p]);
         }
         add_coats(lanes, rules, films_.size() - 1, 0, start, 1.0,
                   [&](const Coat* coat, double weight) {
@@ -324,7 +324,7 @@ class PlateletAverage {
             return;
         }
         Coat start[2];
-        for (int p = 0; p < 2; ++p) start[p] = interface_alone(lanes.interface[p][0]);
+        for (int p = 0; p < 2; ++p) start[p] = bare_interface(lanes.interface[p][0]);
         const std::vector<double>& weights = rules[1]->weights;
         add_coats(lanes, rules, films_.size() - 1, 1, start, 1.0,
                   [&](const Coat* above, double weight) {

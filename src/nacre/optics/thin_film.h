@@ -96,7 +96,7 @@ struct PlateletTable {
 /// @param wavelengths_nm  in vacuum, within the data of all materials
 /// @throws DomainError naming the argument, its value and its range; if the binder absorbs; if so
 ///         many films vary that the average would take more than some seconds
-/// @throws Stopped if `work`, which is asked where it is not null, says so
+/// @throws Stopped if `work`, which may be null, asks to stop
 ///
 /// Both sides of a coat vary together, or one has none, so the core between them is averaged with
 /// one complex sum per coat thickness. Wavelengths are vector lanes

@@ -45,7 +45,7 @@ struct Field {
     bool colour = false;               ///< a spectrum that may be stated as [r, g, b]
     bool real = false;                 ///< a material that does not absorb
     bool in_line = false;              ///< tables: written as { key = value, ... }
-    bool tacit = false;  ///< a number or a choice: 0 and the first choice are not written
+    bool omit_default = false;  ///< a number or a choice: 0 and the first choice are not written
 };
 
 /// More samples than any instrument gives.
@@ -101,7 +101,7 @@ class NamedList {
 struct Alternatives {
     struct One {
         const char* mark;
-        const char* foreign = "";  ///< why keys of the others are refused beside this one
+        const char* exclusion = "";  ///< why keys of the others are refused beside this one
     };
     std::vector<One> each;
     const char* both;          ///< why two marks are refused

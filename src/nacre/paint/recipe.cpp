@@ -59,15 +59,15 @@ class RecipeCheck final : public RangeCheck {
 
 /// Whether the parts of a law by quantiles are flakes that FlakeSizes knows.
 void check_range(const std::string& path, const DiameterQuantiles& quantiles) {
-    const auto [least_um, most_um] = size_ends_um(quantiles);
-    if (kFlakeSize_um.contains(least_um) && kFlakeSize_um.contains(most_um)) return;
+    const auto [min_um, max_um] = size_ends_um(quantiles);
+    if (kFlakeSize_um.contains(min_um) && kFlakeSize_um.contains(max_um)) return;
     try {
         size_parts(quantiles);  // whose parts are of means, within the ends
     } catch (const DomainError&) {
         throw DomainError(fmt::format(
             "{}d50_um = {}: with d10_um = {} and d90_um = {} flakes are of {:.3g} to {:.3g} um; "
             "must be in {}",
-            path, quantiles.d50_um, quantiles.d10_um, quantiles.d90_um, least_um, most_um,
+            path, quantiles.d50_um, quantiles.d10_um, quantiles.d90_um, min_um, max_um,
             kFlakeSize_um.text()));
     }
 }
@@ -204,13 +204,13 @@ void check_pigments(const std::string& key, const Layer& layer) {
 }
 
 void check_spread(const Clearcoat& coat) {
-    const double most_um = coat.thickness_um * limits::kMaxCoatSpread;
+    const double max_um = coat.thickness_um * limits::kMaxCoatSpread;
     // Rounded up, so that a third as a file spells it is allowed.
-    if (coat.thickness_spread_um <= most_um * (1 + 1e-9)) return;
+    if (coat.thickness_spread_um <= max_um * (1 + 1e-9)) return;
     throw DomainError(fmt::format(
         "clearcoat.thickness_spread_um = {}: must be in [0, {:.6g}] um, at most a third "
         "of thickness_um = {}",
-        coat.thickness_spread_um, most_um, coat.thickness_um));
+        coat.thickness_spread_um, max_um, coat.thickness_um));
 }
 
 Spectrum scaled(const Spectrum& spectrum, double factor) {
@@ -220,9 +220,9 @@ Spectrum scaled(const Spectrum& spectrum, double factor) {
     return Spectrum(spectrum.wavelengths_nm(), std::move(values));
 }
 
-std::optional<PigmentAmount> stated(const OptionalPigmentAmount& share) {
-    if (const auto* volume = std::get_if<PigmentVolume>(&share)) return *volume;
-    if (const auto* mass = std::get_if<PigmentMass>(&share)) return *mass;
+std::optional<PigmentAmount> stated(const OptionalPigmentAmount& amount) {
+    if (const auto* volume = std::get_if<PigmentVolume>(&amount)) return *volume;
+    if (const auto* mass = std::get_if<PigmentMass>(&amount)) return *mass;
     return std::nullopt;
 }
 

@@ -67,7 +67,7 @@ void describe(Visitor& visit, Clearcoat& coat) {
                       "([coat-thickness.md](coat-thickness.md))",
            .also = "at most a third of `thickness_um`",
            .spread_of = "thickness_um",
-           .tacit = true},
+           .omit_default = true},
           coat.thickness_spread_um);
     visit({.key = "absorption_per_mm",
            .range = kPerMillimetre,
@@ -215,7 +215,7 @@ void describe(Visitor& visit, FlakeSpecies& species) {
            .zero = "none",
            .words = "their outer {} scattering",
            .zero_words = "",
-           .tacit = true},
+           .omit_default = true},
           species.edge_um);
     visit({.key = "waviness",
            .range = {0.001, 0.5},
@@ -224,7 +224,7 @@ void describe(Visitor& visit, FlakeSpecies& species) {
            .zero = "flat",
            .words = "wavy (roughness {})",
            .zero_words = "",
-           .tacit = true},
+           .omit_default = true},
           species.waviness);
     visit.table(
         {.key = "orientation", .meaning = "how the flakes lie", .required = true, .in_line = true},
@@ -310,7 +310,7 @@ void describe(Visitor& visit, Orientation& orientation) {
            .range = limits::kOrientationAlpha,
            .meaning = "`alpha` at the bottom of the layer, linear in depth from the top",
            .zero = "the same at all depths",
-           .tacit = true},
+           .omit_default = true},
           orientation.alpha_bottom);
 }
 
@@ -354,7 +354,7 @@ void describe(Visitor& visit, optics::Platelet& platelet) {
            .meaning = "whether both sides have the coats, alike, or one",
            .words = "",
            .zero_words = "",
-           .tacit = true},
+           .omit_default = true},
           {"both", "one"}, platelet.coated_sides);
 }
 
@@ -422,7 +422,7 @@ constexpr Field kAnisotropy{.key = "anisotropy",
                                 "[-0.97, 0.97]",
                             .words = "g = {}"};
 
-void describe_share(Visitor& visit, OptionalPigmentAmount& amount) {
+void describe_shard(Visitor& visit, OptionalPigmentAmount& amount) {
     visit(
         {.each = {{"", "goes with mass_fraction"}, {kVolumeKey}, {kMassKey}}, .both = kAmountTwice},
         amount);
@@ -531,7 +531,7 @@ void describe(Visitor& visit, PigmentCoefficients& pigment) {
            .words = "absorbs {}"},
           pigment.absorption_per_mm);
     visit(kAnisotropy, pigment.anisotropy);
-    describe_share(visit, pigment.amount);
+    describe_shard(visit, pigment.amount);
 }
 
 void describe(Visitor& visit, PigmentKubelkaMunk& pigment) {
@@ -544,7 +544,7 @@ void describe(Visitor& visit, PigmentKubelkaMunk& pigment) {
                  .in_line = true},
                 Described(pigment.constants));
     visit(kAnisotropy, pigment.anisotropy);
-    describe_share(visit, pigment.amount);
+    describe_shard(visit, pigment.amount);
 }
 
 void describe(Visitor& visit, KubelkaMunk& constants) {

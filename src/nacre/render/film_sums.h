@@ -29,8 +29,8 @@ struct PassSums {
     friend bool operator==(const PassSums&, const PassSums&) = default;
 };
 
-/// What a picture, or a share of its samples, is developed from: sums over passes and over the
-/// paths of each pixel. They do not depend on the order, so that the sums of shares make those of
+/// What a picture, or a shard of its samples, is developed from: sums over passes and over the
+/// paths of each pixel. They do not depend on the order, so that the sums of shards make those of
 /// the whole, bit for bit.
 struct FilmSums {
     FilmSums() = default;

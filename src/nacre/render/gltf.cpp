@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "nacre/core/text.h"
-#include "nacre/render/mesh_bytes.h"
-#include "nacre/render/mesh_fault.h"
 #include "nacre/render/mesh_file.h"
+#include "nacre/render/mesh_formats.h"
 
 namespace nacre::render {
 namespace {
@@ -24,11 +23,11 @@ json parse_json(std::string_view text) {
     constexpr std::size_t kMaxTextBytes = std::size_t{1} << 28;
     constexpr int kDeepest = 64;
     if (text.size() > kMaxTextBytes) {
-        throw MeshFault(fmt::format("has more than {} bytes of JSON", kMaxTextBytes));
+        throw MeshError(fmt::format("has more than {} bytes of JSON", kMaxTextBytes));
     }
     // The parser does not recurse, but copying what it makes does.
     if (json_nesting(text) > kDeepest) {
-        throw MeshFault(fmt::format("is nested more than {} deep", kDeepest));
+        throw MeshError(fmt::format("is nested more than {} deep", kDeepest));
     }
     return json::parse(text);
 }
@@ -37,12 +36,12 @@ json parse_json(std::string_view text) {
 
 Glb open_glb(std::string_view bytes) {
     if (!bytes.starts_with(kGlbMagic) || bytes.size() < kGlbHeader) {
-        throw MeshFault("is no binary glTF: does not begin with 'glTF'");
+        throw MeshError("is no binary glTF: does not begin with 'glTF'");
     }
     const std::uint32_t version = little_endian(bytes, 4), length = little_endian(bytes, 8);
-    if (version != kGlbVersion) throw MeshFault(fmt::format("is glTF {}; 2 is read", version));
+    if (version != kGlbVersion) throw MeshError(fmt::format("is glTF {}; 2 is read", version));
     if (length > bytes.size()) {
-        throw MeshFault(fmt::format("is cut short: it says that it has {} bytes, there are {}",
+        throw MeshError(fmt::format("is cut short: it says that it has {} bytes, there are {}",
                                     length, bytes.size()));
     }
     Glb glb;
@@ -50,7 +49,7 @@ Glb open_glb(std::string_view bytes) {
         const std::size_t size = little_endian(bytes, at);
         const std::uint32_t type = little_endian(bytes, at + 4);
         at += kGlbChunkHeader;
-        if (size > length - at) throw MeshFault("is cut short: a chunk is longer than the file");
+        if (size > length - at) throw MeshError("is cut short: a chunk is longer than the file");
         if (type == kJsonChunk) glb.json = bytes.substr(at, size);
         if (type == kBufferChunk) glb.buffer = bytes.substr(at, size);
         at += size;
@@ -80,13 +79,13 @@ std::string glb_bytes(std::string json, std::string_view buffer) {
 }
 
 Gltf::Gltf(std::string_view text) : whole_(parse_json(text)) {
-    if (!whole_.is_object()) throw MeshFault("is no glTF: a table in braces is expected");
+    if (!whole_.is_object()) throw MeshError("is no glTF: a table in braces is expected");
     const std::string version = whole_.at("asset").at("version");
     if (!version.starts_with("2.")) {
-        throw MeshFault(fmt::format("is glTF {}; 2 is read", excerpt(version)));
+        throw MeshError(fmt::format("is glTF {}; 2 is read", excerpt(version)));
     }
     for (const json& name : list(whole_, "extensionsRequired")) {
-        throw MeshFault(fmt::format("needs the extension {}, which is not read",
+        throw MeshError(fmt::format("needs the extension {}, which is not read",
                                     excerpt(name.get<std::string>())));
     }
 }
@@ -95,13 +94,13 @@ const json& Gltf::list(const json& object, const char* key) {
     static const json none = json::array();
     const auto found = object.find(key);
     if (found == object.end()) return none;
-    if (!found->is_array()) throw MeshFault(fmt::format("{} is no list", key));
+    if (!found->is_array()) throw MeshError(fmt::format("{} is no list", key));
     return *found;
 }
 
 std::size_t Gltf::index(const json& number, std::size_t size, const char* what) {
     if (!number.is_number_unsigned() || number.get<std::size_t>() >= size) {
-        throw MeshFault(fmt::format("names a {} that it does not have", what));
+        throw MeshError(fmt::format("names a {} that it does not have", what));
     }
     return number.get<std::size_t>();
 }
@@ -153,7 +152,7 @@ class GltfGeometry {
         double all = 0;
         for (const json& accessor : Gltf::list(whole_, "accessors")) {
             if (accessor.contains("sparse"))
-                throw MeshFault("has a sparse accessor, which is not read");
+                throw MeshError("has a sparse accessor, which is not read");
             all += accessor.at("count").get<double>();
             if (!(all <= max_elements_)) refuse_size();
         }
@@ -189,7 +188,7 @@ class GltfGeometry {
             out_["materials"].push_back({{"name", named ? *name : json("")}});
         }
         if (out_["materials"].size() > kMaxMeshMaterials) {
-            throw MeshFault(fmt::format("has more than {} materials", kMaxMeshMaterials));
+            throw MeshError(fmt::format("has more than {} materials", kMaxMeshMaterials));
         }
         return out_["materials"].size();
     }
@@ -200,13 +199,13 @@ class GltfGeometry {
         out_["scenes"] = entries(whole_, "scenes", {"nodes"});
         if (whole_.contains("scene")) out_["scene"] = whole_["scene"];
         if (out_["nodes"].size() > kMaxMeshNodes) {
-            throw MeshFault(fmt::format("has {} nodes; at most {} are read", out_["nodes"].size(),
+            throw MeshError(fmt::format("has {} nodes; at most {} are read", out_["nodes"].size(),
                                         kMaxMeshNodes));
         }
     }
 
     [[noreturn]] void refuse_size() const {
-        throw MeshFault(
+        throw MeshError(
             fmt::format("has more than {:.0f} vertices and indices, counted for each node "
                         "that shows them",
                         max_elements_));
@@ -219,7 +218,7 @@ class GltfGeometry {
         for (const json& node : nodes) {
             for (const json& child : Gltf::list(node, "children")) {
                 const std::size_t i = Gltf::index(child, nodes.size(), "node");
-                if (has_parent[i]) throw MeshFault(fmt::format("node {} has two parents", i));
+                if (has_parent[i]) throw MeshError(fmt::format("node {} has two parents", i));
                 has_parent[i] = true;
             }
         }
@@ -231,7 +230,7 @@ class GltfGeometry {
         }
         for (int depth = 1; !level.empty(); ++depth, level.swap(next), next.clear()) {
             if (depth > kMaxMeshNodeDepth) {
-                throw MeshFault(fmt::format("has nodes more than {} deep", kMaxMeshNodeDepth));
+                throw MeshError(fmt::format("has nodes more than {} deep", kMaxMeshNodeDepth));
             }
             for (const std::size_t i : level) {
                 ++reached;
@@ -243,13 +242,13 @@ class GltfGeometry {
                 for (const json& child : Gltf::list(nodes[i], "children")) next.push_back(child);
             }
         }
-        if (reached != nodes.size()) throw MeshFault("has a node that is its own descendant");
+        if (reached != nodes.size()) throw MeshError("has a node that is its own descendant");
         for (const json& scene : Gltf::list(out_, "scenes")) {
             std::set<std::size_t> roots;
             for (const json& root : Gltf::list(scene, "nodes")) {
                 const std::size_t i = Gltf::index(root, nodes.size(), "node");
                 if (has_parent[i] || !roots.insert(i).second) {
-                    throw MeshFault(fmt::format("node {} is shown twice in a scene", i));
+                    throw MeshError(fmt::format("node {} is shown twice in a scene", i));
                 }
             }
         }

@@ -14,14 +14,14 @@ struct Glb {
     std::string_view json, buffer;
 };
 
-/// @throws MeshFault
+/// @throws MeshError
 Glb open_glb(std::string_view bytes);
 std::string glb_bytes(std::string json, std::string_view buffer);
 
 /// A glTF that is one, of version 2 and without extensions that it requires.
 class Gltf {
  public:
-    /// @throws MeshFault, nlohmann::json::exception
+    /// @throws MeshError, nlohmann::json::exception
     explicit Gltf(std::string_view text);
 
     const nlohmann::json& whole() const { return whole_; }
@@ -38,7 +38,7 @@ class Gltf {
 /// The text of a glTF with its geometry and nothing else, so that what a mesh does not need is never
 /// looked at: materials but for their names, textures, skins, animations, extensions. Nodes must be
 /// trees, as the format has it, and small enough (render/mesh_file.h).
-/// @throws MeshFault, nlohmann::json::exception
+/// @throws MeshError, nlohmann::json::exception
 /// @param max_elements  as kMaxMeshElements
 std::string gltf_geometry(std::string_view text, double max_elements);
 

@@ -103,7 +103,7 @@ constexpr std::uint32_t kBlindFlakeVertex = 3u << 16;
 /// The sampler's first vertex of the path that begins with a specular reflection traced besides.
 constexpr std::uint32_t kSpecularVertex = 1u << 18;
 
-/// A ray of a path, and what its light is worth.
+/// A ray of a path, and its throughput.
 struct Branch {
     Ray ray;
     int depth = 0;  ///< surfaces met before it
@@ -158,9 +158,10 @@ class PathTracer {
     LocalSurface surface_at(const Hit& hit, Vec3f wi, const Branch& branch,
                             const bsdf::BoundBsdf& here);
     void sample_flakes(const Hit& hit, const Frame& frame, Vec3f wi, const LocalSurface& surface);
-    /// Whether the branch goes on along the sample, with what it is worth there.
-    bool go_on(Branch& branch, const Hit& hit, const Frame& frame, Vec3f wi,
-               const LocalSurface& surface, const bsdf::BsdfSample& sample, float roulette) const;
+    /// Extends the path along the sample and updates its throughput; false if it ends there.
+    bool extend_path(Branch& branch, const Hit& hit, const Frame& frame, Vec3f wi,
+                     const LocalSurface& surface, const bsdf::BsdfSample& sample,
+                     float roulette) const;
 
     /// The surface as it is from the side on which the ray arrives.
     const bsdf::BoundBsdf& bound(const Hit& hit) const {
@@ -170,7 +171,7 @@ class PathTracer {
     RayDifferential::Edges footprint(const Hit& hit, const Branch& branch) const {
         return branch.differential->at(branch.ray.direction, hit.distance_mm, hit.geometric_normal);
     }
-    /// That a ray out of a mirror stands for, where light samples could not have found it.
+    /// Solid angle that a specularly reflected ray stands for: light samples cannot find what it meets.
     std::optional<float> solid_angle_of_sample(const Branch& branch) const {
         if (!branch.specular) return std::nullopt;
         if (branch.lobe > 0) return branch.lobe;
@@ -414,25 +415,26 @@ void PathTracer::follow(Branch& branch) {
         if (surface.flake_sample_weight > 0) sample_flakes(*hit, frame, wi, surface);
         if (surface.specular > 0) {
             const auto sample = surface.sample_specular(wi);
-            Branch& mirrored = specular_.emplace(branch);
-            if (sample && go_on(mirrored, *hit, frame, wi, surface, *sample, u.roulette)) {
-                ++mirrored.depth;
-                mirrored.first_vertex = kSpecularVertex;
+            Branch& specular_branch = specular_.emplace(branch);
+            if (sample &&
+                extend_path(specular_branch, *hit, frame, wi, surface, *sample, u.roulette)) {
+                ++specular_branch.depth;
+                specular_branch.first_vertex = kSpecularVertex;
                 // Lights are seen in it by every sample, other surfaces by as many as if it had
                 // been drawn at random: following those costs much, and it reflects little.
-                mirrored.followed = surface.specular;
+                specular_branch.followed = surface.specular;
             } else {
                 specular_.reset();
             }
         }
         const auto sample = surface.sample(wi, u.which_lobe, u.surface);
-        if (!sample || !go_on(branch, *hit, frame, wi, surface, *sample, u.roulette)) return;
+        if (!sample || !extend_path(branch, *hit, frame, wi, surface, *sample, u.roulette)) return;
     }
 }
 
-bool PathTracer::go_on(Branch& branch, const Hit& hit, const Frame& frame, Vec3f wi,
-                       const LocalSurface& surface, const bsdf::BsdfSample& sample,
-                       float roulette) const {
+bool PathTracer::extend_path(Branch& branch, const Hit& hit, const Frame& frame, Vec3f wi,
+                             const LocalSurface& surface, const bsdf::BsdfSample& sample,
+                             float roulette) const {
     const Vec3f direction = frame.to_world(sample.wo);
     // An interpolated normal can send light through the surface. Where light leaves a volume
     // elsewhere the surface has another normal.
@@ -441,25 +443,25 @@ bool PathTracer::go_on(Branch& branch, const Hit& hit, const Frame& frame, Vec3f
     if (dot(exit_mm, exit_mm) == 0 && (dot(direction, hit.geometric_normal) <= 0) != behind) {
         return false;
     }
-    const bool by_lot = branch.depth + 1 >= kRouletteFrom;
+    const bool use_roulette = branch.depth + 1 >= kRouletteFrom;
     WithMean& throughput = branch.throughput;
     throughput.shown *= sample.weight;
-    bool goes_on = survives(throughput.shown, by_lot, roulette);
+    bool survived = survives(throughput.shown, use_roulette, roulette);
     if (options_.smooth) {
         throughput.smooth *= surface.smooth_too && sample.kind == bsdf::SampleKind::density
                                  ? (sample.wo.z / sample.pdf) * surface.bsdf.eval(wi, sample.wo)
                                  : sample.weight;
-        goes_on |= survives(throughput.smooth, by_lot, roulette);
+        survived |= survives(throughput.smooth, use_roulette, roulette);
     }
-    if (!goes_on) return false;
+    if (!survived) return false;
     if (sample.kind == bsdf::SampleKind::null) {
         // The last surface still knows with which density the ray was sampled.
         branch.straight_mm = hit.distance_mm;
         branch.ray.origin_mm = hit.origin_behind();
         return true;
     }
-    const bool mirrored = sample.kind == bsdf::SampleKind::specular && !behind;
-    if (mirrored && branch.differential) {
+    const bool is_specular_reflection = sample.kind == bsdf::SampleKind::specular && !behind;
+    if (is_specular_reflection && branch.differential) {
         const RayDifferential::Edges edges = footprint(hit, branch);
         branch.differential =
             branch.differential->reflected(branch.ray.direction, edges, hit.shading_normal,

@@ -95,7 +95,7 @@ LightSet::LightSet(const std::vector<Light>& lights, const std::optional<Environ
         const float mean = all.mean_brightness();
         add(Kind::environment, 0, std::numbers::pi * mean);
         constexpr float kMinOverMean = 1e-3f;
-        least_brightness_ = mean > 0 ? kMinOverMean * mean : 1.0f;
+        min_brightness_ = mean > 0 ? kMinOverMean * mean : 1.0f;
         colours_ = colours_of(*environment_);
         for (float& y : luminance) y = std::max(0.0f, y - mean);
         const DirectionDistribution& peaks =

@@ -83,9 +83,9 @@ class LightSet {
     FloatLanes escaped(Vec3f direction, const FloatLanes* basis, const Weight& weight) const;
 
     /// escaped() with a smaller sun spread evenly over a disk of this solid angle, and what is small
-    /// and bright in the environment over a cell about as large, for light that has come by way of a
-    /// mirror. No sample of lights finds that light, so that a sun that is much smaller than what one
-    /// sample stands for would be met by few of them or none, as a speck: spread out it gives as much
+    /// and bright in the environment over a cell about as large, for light seen after a
+    /// specular reflection. No light sample finds that light, so that few paths or none would meet a sun
+    /// much smaller than the solid angle of a sample, as fireflies; spread out it gives as much
     /// light.                                       [kaplanyan-dachsbacher-2013, who spread the mirror]
     FloatLanes escaped_spread(Vec3f direction, float solid_angle, const FloatLanes* basis) const;
 
@@ -167,7 +167,7 @@ class LightSet {
     std::vector<CompiledRectangle> rectangles_;
     std::vector<Directional> directionals_;
     std::unique_ptr<const EnvironmentRadiance> environment_;
-    float least_brightness_ = 0;  ///< of it: its cells may miss a detail
+    float min_brightness_ = 0;  ///< of it: its cells may miss a detail
     /// Of the environment, per luminance, in cells of DirectionDistribution::to_square(); a single one
     /// where the colour is the same all over.
     std::vector<EnvironmentRadiance::Coefficients> colours_;
@@ -198,7 +198,7 @@ FloatLanes LightSet::brightness(Vec3f point_mm, const Vec3Lanes& direction,
             beside_.environment_probability,
             beside_.environment ? beside_.environment->pdf_in(cell, direction) : FloatLanes{}};
         sum += weight(pdf) *
-               max_lanes(alone_.environment->brightness_in(cell), splat(least_brightness_));
+               max_lanes(alone_.environment->brightness_in(cell), splat(min_brightness_));
     }
     if (sun_) {
         const LightPdfs<FloatLanes> pdf{beside_.sun.probability, splat(beside_.sun.density)};

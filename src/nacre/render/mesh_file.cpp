@@ -29,11 +29,8 @@
 #include "nacre/core/references.h"
 #include "nacre/core/text.h"
 #include "nacre/render/gltf.h"
-#include "nacre/render/mesh_fault.h"
-#include "nacre/render/obj.h"
-#include "nacre/render/ply.h"
+#include "nacre/render/mesh_formats.h"
 #include "nacre/render/polygon_mesh.h"
-#include "nacre/render/stl.h"
 
 namespace nacre::render {
 
@@ -119,10 +116,10 @@ void require_vertices(const aiScene& scene) {
         const aiMesh& mesh = *scene.mMeshes[i];
         for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
             const aiFace& face = mesh.mFaces[f];
-            if (face.mNumIndices == 0) throw MeshFault(fmt::format("face {} has no vertices", f));
+            if (face.mNumIndices == 0) throw MeshError(fmt::format("face {} has no vertices", f));
             for (unsigned k = 0; k < face.mNumIndices; ++k) {
                 if (face.mIndices[k] >= mesh.mNumVertices) {
-                    throw MeshFault(fmt::format("face {} names vertex {} of {}", f,
+                    throw MeshError(fmt::format("face {} names vertex {} of {}", f,
                                                 face.mIndices[k], mesh.mNumVertices));
                 }
             }
@@ -139,7 +136,7 @@ std::string material_name(const aiScene& scene, const aiMesh& part) {
 void append(const aiMesh& part, const std::string& material, PolygonMesh& mesh) {
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     if (mesh.positions.size() + part.mNumVertices >= PolygonMesh::kNone) {
-        throw MeshFault("has more than 2^32 vertices");
+        throw MeshError("has more than 2^32 vertices");
     }
     const auto vec = [](const aiVector3D& v) { return Vec3f{v.x, v.y, v.z}; };
     const bool normals = part.HasNormals(), uv = part.HasTextureCoords(0);
@@ -179,7 +176,7 @@ PolygonMesh parse_gltf(std::string_view bytes, const std::string& extension,
                                              aiProcess_ValidateDataStructure);
     }
     if (scene == nullptr || (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE) != 0) {
-        throw MeshFault(
+        throw MeshError(
             fmt::format("cannot be read: {}", without_quotes(importer.GetErrorString())));
     }
     require_vertices(*scene);
@@ -203,7 +200,7 @@ Mesh parse(std::string_view bytes, const MeshFile& file, const References& besid
     };
     const std::size_t bytes_left = kMaxMeshBytes - std::min(kMaxMeshBytes, bytes.size());
     if (extension == ".obj") {
-        if (bytes.find('\0') != std::string_view::npos) throw MeshFault("is no OBJ: is not text");
+        if (bytes.find('\0') != std::string_view::npos) throw MeshError("is no OBJ: is not text");
         return made(parse_obj(bytes));
     }
     if (extension == ".ply") return made(parse_ply(bytes));
@@ -216,7 +213,7 @@ Mesh parse(std::string_view bytes, const MeshFile& file, const References& besid
         return made(parse_gltf(glb_bytes(gltf_geometry(glb.json, max_elements), glb.buffer),
                                extension, beside, bytes_left));
     }
-    throw MeshFault("is none of .obj, .ply, .stl, .gltf and .glb");
+    throw MeshError("is none of .obj, .ply, .stl, .gltf and .glb");
 }
 
 /// Says whose fault it is.
@@ -227,7 +224,7 @@ Mesh named(const MeshFile& file, const Parse& parse) {
     };
     try {
         return parse();
-    } catch (const MeshFault& fault) {
+    } catch (const MeshError& fault) {
         refuse(fault.what());
     } catch (const json::exception& fault) {
         refuse(fmt::format("is no glTF 2.0: {}", without_quotes(fault.what())).c_str());

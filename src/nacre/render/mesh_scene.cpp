@@ -15,8 +15,8 @@
 #include "nacre/core/file.h"
 #include "nacre/core/text.h"
 #include "nacre/render/gltf.h"
-#include "nacre/render/mesh_fault.h"
 #include "nacre/render/mesh_file.h"
+#include "nacre/render/mesh_formats.h"
 #include "nacre/spectra/upsampling.h"
 
 namespace nacre::render {
@@ -33,7 +33,7 @@ std::array<double, kCount> numbers(const json& object, const char* key,
     if (found == object.end()) return otherwise;
     const auto values = found->get<std::vector<double>>();
     if (values.size() != kCount) {
-        throw MeshFault(fmt::format("{} has {} numbers, not {}", key, values.size(), kCount));
+        throw MeshError(fmt::format("{} has {} numbers, not {}", key, values.size(), kCount));
     }
     std::copy(values.begin(), values.end(), otherwise.begin());
     return otherwise;
@@ -192,11 +192,11 @@ SceneDescription compose(const std::filesystem::path& path, const MeshSceneOptio
     const json gltf = gltf_of(bytes, lowercase(path.extension().string()));
     const auto join = [](const auto& names) { return fmt::format("{}", fmt::join(names, ", ")); };
     if (parts.size() > 1 && parts.contains("")) {
-        throw MeshFault("has several materials, and one without a name, by which parts are told");
+        throw MeshError("has several materials, and one without a name, by which parts are told");
     }
     for (const std::string& name : options.painted) {
         if (!parts.contains(name)) {
-            throw MeshFault(fmt::format("has no part '{}'; it has {}", excerpt(name), join(parts)));
+            throw MeshError(fmt::format("has no part '{}'; it has {}", excerpt(name), join(parts)));
         }
     }
 
@@ -252,7 +252,7 @@ SceneDescription compose(const std::filesystem::path& path, const MeshSceneOptio
     if (!options.camera.empty()) {
         const auto found = std::find(names.begin(), names.end(), options.camera);
         if (found == names.end()) {
-            throw MeshFault(fmt::format("has no camera '{}'; it has {}", excerpt(options.camera),
+            throw MeshError(fmt::format("has no camera '{}'; it has {}", excerpt(options.camera),
                                         names.empty() ? "none" : join(names)));
         }
         scene.camera = cameras[found - names.begin()].camera;
@@ -273,7 +273,7 @@ SceneDescription scene_of_mesh(const std::filesystem::path& path, const MeshScen
         SceneDescription scene = compose(path, options);
         validate(scene);
         return scene;
-    } catch (const MeshFault& fault) {
+    } catch (const MeshError& fault) {
         refuse(fault.what());
     } catch (const DomainError& fault) {
         refuse(fault.what());

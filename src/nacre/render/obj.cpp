@@ -1,5 +1,3 @@
-#include "nacre/render/obj.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +9,7 @@
 #include <utility>
 
 #include "nacre/core/text.h"
-#include "nacre/render/mesh_fault.h"
+#include "nacre/render/mesh_formats.h"
 
 namespace nacre::render {
 namespace {
@@ -22,7 +20,7 @@ class ObjReader {
 
     PolygonMesh read() {
         while (next_line()) read_line();
-        if (mesh_.end.empty()) throw MeshFault("has no faces");
+        if (mesh_.end.empty()) throw MeshError("has no faces");
         for (int kind = 0; kind < 3; ++kind) {
             if (highest_[kind].number > count(kind)) refuse_number(highest_[kind].line, kind);
         }
@@ -169,11 +167,11 @@ class ObjReader {
 
     [[noreturn]] void refuse_number(std::size_t line, int kind) const {
         constexpr std::array kNames{"vertex", "texture coordinate", "normal"};
-        throw MeshFault(fmt::format("line {} is a face that names a {} that is not there: {} are",
+        throw MeshError(fmt::format("line {} is a face that names a {} that is not there: {} are",
                                     line, kNames[kind], count(kind)));
     }
     [[noreturn]] void refuse(std::string_view why) const {
-        throw MeshFault(fmt::format("line {} {}", first_of_line_, why));
+        throw MeshError(fmt::format("line {} {}", first_of_line_, why));
     }
 
     /// Of the numbers that faces have; what they name may follow them.

@@ -1,5 +1,3 @@
-#include "nacre/render/ply.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,8 +13,7 @@
 #include <vector>
 
 #include "nacre/core/text.h"
-#include "nacre/render/mesh_bytes.h"
-#include "nacre/render/mesh_fault.h"
+#include "nacre/render/mesh_formats.h"
 
 namespace nacre::render {
 namespace {
@@ -37,7 +34,7 @@ class PlyReader {
                 for (double i = 0; i < element.count; ++i) pass_over(element);
             }
         }
-        if (mesh_.end.empty()) throw MeshFault("has no faces");
+        if (mesh_.end.empty()) throw MeshError("has no faces");
         return std::move(mesh_);
     }
 
@@ -70,7 +67,7 @@ class PlyReader {
             {"float64", {real, 8}}};
         const auto found = kScalars.find(type);
         if (found == kScalars.end()) {
-            throw MeshFault(fmt::format("line {}: unknown type '{}'", line, excerpt(type)));
+            throw MeshError(fmt::format("line {}: unknown type '{}'", line, excerpt(type)));
         }
         return found->second;
     }
@@ -83,7 +80,7 @@ class PlyReader {
             position_ += std::min(text.size() + 1, rest.size());
             const std::vector<std::string_view> word = words(text);
             if (line == 1 && (word.empty() || word[0] != "ply")) {
-                throw MeshFault("line 1: does not begin with 'ply'");
+                throw MeshError("line 1: does not begin with 'ply'");
             }
             if (word.empty()) continue;
             if (word[0] == "end_header") return;
@@ -94,7 +91,7 @@ class PlyReader {
             if (word[0] == "element") {
                 const auto count = word.size() > 2 ? parse_number(word[2]) : std::nullopt;
                 if (!count || *count < 0) {
-                    throw MeshFault(fmt::format("line {}: '{}' is not 'element NAME COUNT'", line,
+                    throw MeshError(fmt::format("line {}: '{}' is not 'element NAME COUNT'", line,
                                                 excerpt(text)));
                 }
                 elements_.push_back({word[1], *count, {}});
@@ -103,7 +100,7 @@ class PlyReader {
                 elements_.back().properties.push_back(property_of(word, line));
             }
         }
-        throw MeshFault("has no end_header");
+        throw MeshError("has no end_header");
     }
 
     static Property property_of(const std::vector<std::string_view>& word, int line) {
@@ -112,12 +109,12 @@ class PlyReader {
         };
         if (at(1) != "list") return {at(2), false, {}, scalar(at(1), line)};
         const Scalar length = scalar(at(2), line);
-        if (length.kind == Kind::real) throw MeshFault("has a list whose length is no integer");
+        if (length.kind == Kind::real) throw MeshError("has a list whose length is no integer");
         return {at(4), true, length, scalar(at(3), line)};
     }
 
     [[noreturn]] static void refuse_short(double wanted, std::size_t there) {
-        throw MeshFault(
+        throw MeshError(
             fmt::format("is cut short: its header asks for at least {:.0f} bytes of data, "
                         "there are {}",
                         wanted, there));
@@ -132,7 +129,7 @@ class PlyReader {
                 const std::size_t size = p.list ? p.length.size : p.value.size;
                 one += binary_ ? static_cast<double>(size) : 2;  // of text, a digit and a space
             }
-            if (one == 0 && element.count > 0) throw MeshFault("has an element without properties");
+            if (one == 0 && element.count > 0) throw MeshError("has an element without properties");
             least += element.count * one;
         }
         // The last of a text may do without its space.
@@ -144,16 +141,16 @@ class PlyReader {
 
     double take_text() {
         const std::string_view word = take_word(bytes_, position_);
-        if (word.empty()) throw MeshFault("is cut short");
+        if (word.empty()) throw MeshError("is cut short");
         const auto number = parse_number(word);
         if (!number)
-            throw MeshFault(
+            throw MeshError(
                 fmt::format("has what is no number at byte {}", position_ - word.size()));
         return *number;
     }
 
     double take_binary(Scalar scalar) {
-        if (scalar.size > bytes_.size() - position_) throw MeshFault("is cut short");
+        if (scalar.size > bytes_.size() - position_) throw MeshError("is cut short");
         std::uint64_t bits = 0;
         for (std::size_t i = 0; i < scalar.size; ++i) {
             const std::size_t at = big_endian_ ? i : scalar.size - 1 - i;
@@ -172,12 +169,12 @@ class PlyReader {
     std::size_t take_length(const Property& list) {
         const double length = take(list.length);
         if (!(length >= 0) || length != std::floor(length)) {
-            throw MeshFault("has a list whose length is no count");
+            throw MeshError("has a list whose length is no count");
         }
         const std::size_t size = binary_ ? list.value.size : 2;
         if (length * static_cast<double>(size) >
             static_cast<double>(bytes_.size() - position_) + 1) {
-            throw MeshFault("is cut short");
+            throw MeshError("is cut short");
         }
         return static_cast<std::size_t>(length);
     }
@@ -209,7 +206,7 @@ class PlyReader {
             }
             return true;
         };
-        if (!has(0, 2)) throw MeshFault("has vertices without x, y and z");
+        if (!has(0, 2)) throw MeshError("has vertices without x, y and z");
         has_normals_ = has(3, 5);
         has_uv_ = has(6, 7);
         for (double i = 0; i < element.count; ++i) {
@@ -255,7 +252,7 @@ class PlyReader {
                     take_list(p, p.name == "texcoord" ? uv : passed_over_);
                 }
             }
-            if (!has_numbers) throw MeshFault("has faces without vertex_indices");
+            if (!has_numbers) throw MeshError("has faces without vertex_indices");
             strips ? add_strips(numbers, material) : add_face(numbers, uv, material);
         }
     }
@@ -263,7 +260,7 @@ class PlyReader {
     void add_face(const std::vector<double>& numbers, const std::vector<double>& uv,
                   std::uint32_t material) {
         const std::size_t face = mesh_.end.size();
-        if (numbers.empty()) throw MeshFault(fmt::format("face {} has no vertices", face));
+        if (numbers.empty()) throw MeshError(fmt::format("face {} has no vertices", face));
         const bool laid_out = uv.size() == 2 * numbers.size();
         for (std::size_t k = 0; k < numbers.size(); ++k) {
             PolygonMesh::Corner corner = corner_of(numbers[k]);
@@ -279,7 +276,7 @@ class PlyReader {
     PolygonMesh::Corner corner_of(double number) const {
         if (!(number >= 0 && number < static_cast<double>(mesh_.positions.size())) ||
             number != std::floor(number)) {
-            throw MeshFault(fmt::format("face {} names vertex {} of {}", mesh_.end.size(), number,
+            throw MeshError(fmt::format("face {} names vertex {} of {}", mesh_.end.size(), number,
                                         mesh_.positions.size()));
         }
         const auto i = static_cast<std::uint32_t>(number);

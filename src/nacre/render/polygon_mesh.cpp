@@ -11,8 +11,8 @@
 
 #include "nacre/core/angles.h"
 #include "nacre/core/text.h"
-#include "nacre/render/mesh_fault.h"
 #include "nacre/render/mesh_file.h"
+#include "nacre/render/mesh_formats.h"
 
 namespace nacre::render {
 namespace {
@@ -85,10 +85,10 @@ void PolygonMesh::end_face(std::uint32_t of_material) {
         return;
     }
     if (count > kMaxFaceCorners) {
-        throw MeshFault(fmt::format("face {} has {} corners; at most {} are read", end.size(),
+        throw MeshError(fmt::format("face {} has {} corners; at most {} are read", end.size(),
                                     count, kMaxFaceCorners));
     }
-    if (corners.size() >= kNone) throw MeshFault("has more than 2^32 corners of faces");
+    if (corners.size() >= kNone) throw MeshError("has more than 2^32 corners of faces");
     end.push_back(static_cast<std::uint32_t>(corners.size()));
     material.push_back(of_material);
 }
@@ -97,7 +97,7 @@ std::uint32_t PolygonMesh::material_of(const std::string& name) {
     const auto [at, is_new] =
         materials.try_emplace(name, static_cast<std::uint32_t>(materials.size()));
     if (materials.size() > kMaxMeshMaterials) {
-        throw MeshFault(fmt::format("has more than {} materials", kMaxMeshMaterials));
+        throw MeshError(fmt::format("has more than {} materials", kMaxMeshMaterials));
     }
     return at->second;
 }
@@ -115,7 +115,7 @@ std::vector<std::array<std::uint32_t, 3>> cut_into_triangles(std::span<const Vec
         const Vec2<double> a = p[rest[before]], b = p[rest[k]], c = p[rest[after]];
         if (turn(a, b, c) <= 0) return false;
         steps -= static_cast<double>(n);
-        if (steps < 0) throw MeshFault("has faces too intricate to be cut into triangles");
+        if (steps < 0) throw MeshError("has faces too intricate to be cut into triangles");
         for (std::size_t j = 0; j < n; ++j) {
             if (j == before || j == k || j == after) continue;
             const Vec2<double> q = p[rest[j]];
@@ -150,7 +150,7 @@ namespace {
 [[noreturn]] void refuse_part(const std::string& part, const std::set<std::string>& names) {
     std::vector<std::string> shown;
     for (const std::string& name : names) shown.push_back(excerpt(name));
-    throw MeshFault(fmt::format("has no material '{}'{}; its materials are '{}'", excerpt(part),
+    throw MeshError(fmt::format("has no material '{}'{}; its materials are '{}'", excerpt(part),
                                 did_you_mean(excerpt(part), shown), fmt::join(shown, "', '")));
 }
 
@@ -194,12 +194,12 @@ Mesh triangles_of(const PolygonMesh& polygons, const MeshFile& file, float mm_pe
         if (!file.part.empty() && name != file.part) continue;
         const std::size_t first = mesh.positions_mm.size();
         if (first + corners.size() > std::numeric_limits<std::uint32_t>::max()) {
-            throw MeshFault("has more than 2^32 vertices");
+            throw MeshError("has more than 2^32 vertices");
         }
         for (const PolygonMesh::Corner& corner : corners) {
             const Vec3f position = mm_per_unit * turned(polygons.positions[corner.position]);
             if (!is_finite(position)) {
-                throw MeshFault(fmt::format("vertex {} is not finite", corner.position));
+                throw MeshError(fmt::format("vertex {} is not finite", corner.position));
             }
             mesh.positions_mm.push_back(position);
             const Vec2f uv =
@@ -227,7 +227,7 @@ Mesh triangles_of(const PolygonMesh& polygons, const MeshFile& file, float mm_pe
         }
     }
     if (!file.part.empty() && !names.contains(file.part)) refuse_part(file.part, names);
-    if (mesh.triangles.empty()) throw MeshFault("has no triangles");
+    if (mesh.triangles.empty()) throw MeshError("has no triangles");
     if (!laid_out) mesh.uv.clear();
     if (parts) *parts = std::move(names);
     join_equal_vertices(mesh);
@@ -237,8 +237,7 @@ Mesh triangles_of(const PolygonMesh& polygons, const MeshFile& file, float mm_pe
 std::vector<Vec3f> smooth_normals(std::span<const Vec3f> corners, double crease_angle_deg) {
     constexpr std::size_t kMaxWithCreases = 1024;
     constexpr float kTolerance = 1e-6f;  // of the cosine: rounding is no crease
-    const float least_cosine =
-        static_cast<float>(std::cos(crease_angle_deg * kDegree)) - kTolerance;
+    const float min_cosine = static_cast<float>(std::cos(crease_angle_deg * kDegree)) - kTolerance;
 
     const std::size_t count = corners.size();
     std::vector<Vec3f> plane(count), weighted(count);
@@ -275,7 +274,7 @@ std::vector<Vec3f> smooth_normals(std::span<const Vec3f> corners, double crease_
         for (const std::uint32_t i : here) {
             const bool flat = dot(plane[i], plane[i]) > 0;
             normals[i] = mean(
-                [&](std::uint32_t j) { return !flat || dot(plane[i], plane[j]) >= least_cosine; });
+                [&](std::uint32_t j) { return !flat || dot(plane[i], plane[j]) >= min_cosine; });
         }
     });
     return normals;

@@ -31,10 +31,10 @@ struct PolygonMesh {
     std::map<std::string, std::uint32_t> materials;  ///< numbers by name
 
     /// Corners since the last face become one, unless they are fewer than three, which have no area.
-    /// @throws MeshFault for more than kMaxFaceCorners
+    /// @throws MeshError for more than kMaxFaceCorners
     void end_face(std::uint32_t of_material);
     /// The number of this name, which is added if it is new.
-    /// @throws MeshFault for more than kMaxMeshMaterials
+    /// @throws MeshError for more than kMaxMeshMaterials
     std::uint32_t material_of(const std::string& name);
 };
 
@@ -46,7 +46,7 @@ inline constexpr const char* kUnnamedMaterial = "DefaultMaterial";
 /// Vertices that are equal to the last digit become one. Texture coordinates are kept if every corner has
 /// one, normals wherever they have a length; others are made: smooth_normals() of each material.
 /// @param parts  not null: for the names of the materials that faces have
-/// @throws MeshFault
+/// @throws MeshError
 Mesh triangles_of(const PolygonMesh& polygons, const MeshFile& file, float mm_per_unit, bool y_up,
                   std::set<std::string>* parts);
 
@@ -55,7 +55,7 @@ Mesh triangles_of(const PolygonMesh& polygons, const MeshFile& file, float mm_pe
 /// are cut off in their order.
 /// @param steps  corners that may still be looked at, of all polygons of a file; counted down
 /// @return for each of the n - 2 triangles three numbers of corners
-/// @throws MeshFault if the steps do not suffice
+/// @throws MeshError if the steps do not suffice
 std::vector<std::array<std::uint32_t, 3>> cut_into_triangles(std::span<const Vec3f> polygon,
                                                              double& steps);
 

@@ -50,14 +50,14 @@ void check(const RenderOptions& options) {
                    "choose fewer pixels or bins");
 }
 
-void check(const RenderOptions& options, const Share& share) {
+void check(const RenderOptions& options, const Shard& shard) {
     check(options);
-    if (share.count < 1 || share.count > options.samples_per_pixel || share.number < 1 ||
-        share.number > share.count) {
+    if (shard.count < 1 || shard.count > options.samples_per_pixel || shard.number < 1 ||
+        shard.number > shard.count) {
         throw DomainError(
             fmt::format("shard = {}/{}: must be one from 1/N to N/N, with N from 1 to the {} "
                         "samples of a pixel",
-                        share.number, share.count, options.samples_per_pixel));
+                        shard.number, shard.count, options.samples_per_pixel));
     }
 }
 
@@ -208,7 +208,7 @@ class Renderer {
         const int y0 = tile / tiles_across_ * kTile;
         for (int row = y0; row < std::min(y0 + kTile, rows_); ++row) {
             for (int column = x0; column < std::min(x0 + kTile, columns_); ++column) {
-                if (!counter.ask()) return false;
+                if (!counter.keep_going()) return false;
                 const int x = pixel_of(column, stride_), y = pixel_of(row, stride_);
                 const auto pixel = static_cast<std::uint32_t>(y) * options_.width + x;
                 const auto taken = static_cast<std::size_t>(row) * columns_ + column;
@@ -258,11 +258,11 @@ struct PassRange {
 };
 
 /// Passes that follow each other: those that draw from flakes, which take longer, are spread evenly.
-PassRange passes_of(const RenderOptions& options, const Share& share) {
-    const auto before = [&](int shares) {
-        return static_cast<int>(std::int64_t{options.samples_per_pixel} * shares / share.count);
+PassRange passes_of(const RenderOptions& options, const Shard& shard) {
+    const auto before = [&](int shards) {
+        return static_cast<int>(std::int64_t{options.samples_per_pixel} * shards / shard.count);
     };
-    return {before(share.number - 1), before(share.number)};
+    return {before(shard.number - 1), before(shard.number)};
 }
 
 /// Takes renderers of pictures with as many samples through passes, together.
@@ -417,16 +417,16 @@ int flake_sampling_stride(int samples_per_pixel) {
     return FlakeStrata(samples_per_pixel).stride_of(samples_per_pixel);
 }
 
-int samples_of(const RenderOptions& options, const Share& share) {
-    return passes_of(options, share).count();
+int samples_of(const RenderOptions& options, const Shard& shard) {
+    return passes_of(options, shard).count();
 }
 
-RenderSums render_share(const Scene& scene, const RenderOptions& options, const Share& share,
+RenderSums render_shard(const Scene& scene, const RenderOptions& options, const Shard& shard,
                         const Progress& progress) {
-    check(options, share);
+    check(options, shard);
     Rendering rendering(scene.compiled(), options, DirectLight::combined);
-    if (!rendering.run(passes_of(options, share), progress)) {
-        throw Stopped("the share of the picture was stopped");
+    if (!rendering.run(passes_of(options, shard), progress)) {
+        throw Stopped("the shard of the picture was stopped");
     }
     return rendering.take_sums();
 }

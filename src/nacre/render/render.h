@@ -44,14 +44,14 @@ struct RenderOptions {
 double default_footprint_pixels(int samples_per_pixel);
 
 /// One of `count` parts of a picture's samples, which are alike in number but for one sample.
-struct Share {
+struct Shard {
     int number = 1;  ///< [1, count]
     int count = 1;   ///< [1, RenderOptions::samples_per_pixel]
 
-    friend bool operator==(const Share&, const Share&) = default;
+    friend bool operator==(const Shard&, const Shard&) = default;
 };
 
-/// What a share of the samples adds to a picture, and all of them make the whole of.
+/// What a shard of the samples adds to a picture, and all of them make the whole of.
 struct RenderSums {
     RenderSums() = default;
     /// Of no samples.
@@ -90,7 +90,7 @@ struct RenderResult {
     /// Paths whose light was not finite, or beyond 2^53 times the perfect diffuser's in full light,
     /// taken as black: always 0 unless a surface or a light is at fault.
     long invalid_paths = 0;
-    double seconds = 0;    ///< wall-clock time, of shares their sum
+    double seconds = 0;    ///< wall-clock time, of shards their sum
     bool complete = true;  ///< false: stopped by `progress`; a valid picture of `samples` samples
 };
 
@@ -98,9 +98,9 @@ struct RenderResult {
 /// @throws DomainError naming an option out of range; Error if the machine has less memory than the
 ///         picture takes until it is written
 void check(const RenderOptions& options);
-/// The same of one share.
+/// The same of one shard.
 /// @throws DomainError "shard = ..." besides
-void check(const RenderOptions& options, const Share& share);
+void check(const RenderOptions& options, const Shard& shard);
 
 /// Renders by unidirectional path tracing with multiple importance sampling. Uses the threads of
 /// the caller's oneTBB arena; for a given seed the result is the same, bit for bit, however many
@@ -115,15 +115,15 @@ RenderResult render(const Scene& scene, const RenderOptions& options,
 /// (FlakeStratum) as of all. A picture of fewer has up to so many times their light.
 int flake_sampling_stride(int samples_per_pixel);
 
-/// How many samples a pixel has of a share.
-int samples_of(const RenderOptions& options, const Share& share);
+/// How many samples a pixel has of a shard.
+int samples_of(const RenderOptions& options, const Shard& shard);
 
-/// Renders one share of a picture's samples. The sums of all shares, added in any order, develop()
+/// Renders one shard of a picture's samples. The sums of all shards, added in any order, develop()
 /// to the picture that render() makes, bit for bit in every channel: each sample is the one that it
 /// would be there, with the flakes of its part of the pixel, and sums of light are exact
 /// (core/reproducible_sum.h).
 /// @throws DomainError, Error as check(); Stopped if `progress` asks to stop
-RenderSums render_share(const Scene& scene, const RenderOptions& options, const Share& share,
+RenderSums render_shard(const Scene& scene, const RenderOptions& options, const Shard& shard,
                         const Progress& progress = {});
 
 /// The picture of all its samples.

@@ -262,7 +262,7 @@ TEST(Render, SameBitsForAnyNumberOfThreads) {
 }
 
 // Bit for bit. One of fewer samples has other wavelengths, which are even among themselves.
-TEST(Render, StoppedRenderIsThePictureOfTheSharesDone) {
+TEST(Render, StoppedRenderIsThePictureOfTheShardsDone) {
     const Scene scene = glossy_scene();
     const RenderOptions options{
         .width = 20, .height = 20, .samples_per_pixel = 40, .spectral_bins = 4};
@@ -276,13 +276,13 @@ TEST(Render, StoppedRenderIsThePictureOfTheSharesDone) {
     EXPECT_DOUBLE_EQ(last, 11.0 / 40);
     RenderSums sums(options);
     for (int number = 1; number <= 11; ++number) {
-        sums.add(render_share(scene, options, {number, options.samples_per_pixel}));
+        sums.add(render_shard(scene, options, {number, options.samples_per_pixel}));
     }
-    const RenderResult shares = develop(sums, options);
-    EXPECT_EQ(shares.samples, 11);
-    EXPECT_EQ(stopped.rgb, shares.rgb);
-    EXPECT_EQ(stopped.spectral, shares.spectral);
-    EXPECT_EQ(stopped.albedo, shares.albedo);
+    const RenderResult shards = develop(sums, options);
+    EXPECT_EQ(shards.samples, 11);
+    EXPECT_EQ(stopped.rgb, shards.rgb);
+    EXPECT_EQ(stopped.spectral, shards.spectral);
+    EXPECT_EQ(stopped.albedo, shards.albedo);
     // What every sample has, whatever its wavelengths.
     RenderOptions fewer = options;
     fewer.samples_per_pixel = 11;

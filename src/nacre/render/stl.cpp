@@ -1,5 +1,3 @@
-#include "nacre/render/stl.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,8 +7,7 @@
 #include <cstdint>
 
 #include "nacre/core/text.h"
-#include "nacre/render/mesh_bytes.h"
-#include "nacre/render/mesh_fault.h"
+#include "nacre/render/mesh_formats.h"
 
 namespace nacre::render {
 namespace {
@@ -58,7 +55,7 @@ class TextReader {
     PolygonMesh read() {
         const std::uint32_t material = mesh_.material_of(kUnnamedMaterial);
         if (take_keyword() != kSolid)
-            throw MeshFault("is no STL: neither binary nor does it begin with 'solid'");
+            throw MeshError("is no STL: neither binary nor does it begin with 'solid'");
         position_ = text_.find('\n', position_);  // after its name
         std::size_t corners = 0;
         bool in_facet = false;
@@ -82,7 +79,7 @@ class TextReader {
                 refuse("an unknown word");
             }
         }
-        if (in_facet) throw MeshFault("is cut short");
+        if (in_facet) throw MeshError("is cut short");
         return std::move(mesh_);
     }
 
@@ -102,7 +99,7 @@ class TextReader {
     [[noreturn]] void refuse(std::string_view what) const {
         const auto end =
             text_.begin() + static_cast<std::ptrdiff_t>(std::min(position_, text_.size()));
-        throw MeshFault(
+        throw MeshError(
             fmt::format("line {} has {}", 1 + std::count(text_.begin(), end, '\n'), what));
     }
 
@@ -121,7 +118,7 @@ PolygonMesh parse_stl(std::string_view bytes) {
         if (facets * kFacet == there) return parse_binary(bytes, facets);
         if (lowercase(bytes.substr(0, kSolid.size())) != kSolid) {
             if (facets * kFacet > there) {
-                throw MeshFault(fmt::format("is cut short: {} facets take {} bytes, there are {}",
+                throw MeshError(fmt::format("is cut short: {} facets take {} bytes, there are {}",
                                             facets, facets * kFacet, there));
             }
             return parse_binary(bytes, facets);

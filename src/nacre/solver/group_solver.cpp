@@ -32,7 +32,7 @@ constexpr int kMaxBlocksOfFew = 2;
 // Making a block takes the time of about so many of its orders.
 constexpr int kBlockWork = 10;
 
-// Solves wavelengths that share one index of the binder.
+// Solves wavelengths that fraction one index of the binder.
 class GroupSolver {
  public:
     // By order from 0 on, as members below.
@@ -210,13 +210,13 @@ class GroupSolver {
         return lane_max(size);
     }
 
-    int most_blocks_of_few() const {
+    int max_blocks_of_few() const {
         return std::min(static_cast<int>(blocks_.size()) / 2, kMaxBlocksOfFew);
     }
 
     // Whether the spectra of what the paint is made of are so few that those of its orders may be.
     bool may_be_few() const {
-        const int most = most_blocks_of_few();
+        const int most = max_blocks_of_few();
         return most > 0 && may_be_represented(spectra_of(medium_), wavelengths_, most * kLanes);
     }
 
@@ -224,7 +224,7 @@ class GroupSolver {
     // orders err less the higher they are.
     std::optional<RepresentativeWavelengths> representatives(int one_more, double tolerance) const {
         const LaneBuffer rows = scaled_rows({{0, one_more}});
-        for (int few = 1; few <= most_blocks_of_few(); ++few) {
+        for (int few = 1; few <= max_blocks_of_few(); ++few) {
             if (!may_be_represented(rows, wavelengths_, few * kLanes)) continue;
             RepresentativeWavelengths found(rows, wavelengths_, few * kLanes);
             if (found.wavelengths().empty()) break;  // all is black
@@ -235,7 +235,7 @@ class GroupSolver {
                 errors[l] = error_of(l, found.again(known_.multiple[l]), std::move(single));
             });
             const double error = *std::max_element(errors.begin(), errors.end());
-            if (error < kRepresentativesShare * tolerance) return found;
+            if (error < kRepresentativesFraction * tolerance) return found;
         }
         return {};
     }
@@ -360,7 +360,7 @@ class GroupSolver {
             }
             const double error = 2.0 * static_cast<double>(left_out.size() + 1) *
                                  error_of(*probe, std::move(multiple), std::move(single));
-            if (error > kInterpolationShare * tolerance) solve_orders(left_out);
+            if (error > kInterpolationFraction * tolerance) solve_orders(left_out);
             std::vector<int> between;
             for (int l = distance; l < orders(); l += 2 * distance) {
                 if (known_.multiple[l].empty()) between.push_back(l);
@@ -375,10 +375,10 @@ class GroupSolver {
     }
 
     // What interpolation between orders may add to the error, of the tolerance.
-    static constexpr double kInterpolationShare = 0.1;
+    static constexpr double kInterpolationFraction = 0.1;
     // By how much representative wavelengths may err in each order, of the tolerance: a thousandth of
     // what compress() may, as at dark angles the errors of all orders show.
-    static constexpr double kRepresentativesShare = 1e-4;
+    static constexpr double kRepresentativesFraction = 1e-4;
 
     int orders() const { return static_cast<int>(known_.multiple.size()); }
 

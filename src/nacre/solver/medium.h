@@ -71,7 +71,7 @@ inline constexpr double kSharpestPigment = 0.97;
 /// @param films  cache of the flakes' tables; null: none
 /// @throws DomainError as validate() and optics::platelet_table() do, and if a pigment is sharper than
 ///         kSharpestPigment, naming its key
-/// @throws Stopped if `work`, which is asked where it is not null, says so
+/// @throws Stopped if `work`, which may be null, asks to stop
 PaintMedium make_medium(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,
                         FilmCache* films = nullptr, SharedProgress* work = nullptr);
 

@@ -46,10 +46,10 @@ void for_each_pair(const MultipleScattering& r, Visit&& visit) {
     }
 }
 
-// For each pair, `share` of the smaller of the largest values that its two directions have, or
+// For each pair, `fraction` of the smaller of the largest values that its two directions have, or
 // kBlackBrdf.
 std::vector<double> pair_scales(const MultipleScattering& r, const Eigen::VectorXd& largest,
-                                double share) {
+                                double fraction) {
     std::vector<double> by_node(r.exit_angle.size(), 0.0), scale;
     Eigen::Index pair = 0;
     for_each_pair(r, [&](int i, int j) {
@@ -59,7 +59,7 @@ std::vector<double> pair_scales(const MultipleScattering& r, const Eigen::Vector
     });
     scale.reserve(pair);
     for_each_pair(r, [&](int i, int j) {
-        scale.push_back(std::max(share * std::min(by_node[i], by_node[j]), kBlackBrdf));
+        scale.push_back(std::max(fraction * std::min(by_node[i], by_node[j]), kBlackBrdf));
     });
     return scale;
 }
@@ -277,7 +277,7 @@ MultipleScatteringSlice::MultipleScatteringSlice(const MultipleScattering& r, do
     for (int k = 0; k < rank; ++k) {
         for (int l = 0; l < r.orders(); ++l) {
             const int first = r.first[l], rows = n - first;
-            if (r.takes_part(l, theta_i)) {
+            if (r.contributes(l, theta_i)) {
                 std::fill(out.begin(), out.end(), 0.0);
                 add_symmetric_product(rows, value, over_lobe.data(), first, weight.data() + first,
                                       out.data() + first);
@@ -326,7 +326,7 @@ void MultipleScatteringSlice::by_order(std::span<const double> theta_o,
         }
         for (std::size_t i = 0; i < some.size(); ++i) {
             for (int l = 0; l < orders; ++l) {
-                if (multiple_scattering_.takes_part(l, some[i])) continue;
+                if (multiple_scattering_.contributes(l, some[i])) continue;
                 std::fill_n(to + i * terms + static_cast<std::size_t>(l) * rank_, rank_, 0.0);
             }
         }

@@ -47,7 +47,7 @@ struct MultipleScattering {
     /// first[order]; between these the interpolating polynomial would oscillate instead of
     /// vanishing, in phase in hundreds of orders, so that the order is set to zero up to the last
     /// of them. There the polynomial is zero too: there is no jump.
-    bool takes_part(int order, double theta_e) const {
+    bool contributes(int order, double theta_e) const {
         return first[order] == 0 || theta_e > exit_angle[first[order] - 1];
     }
 

@@ -106,10 +106,10 @@ TEST(OrderInterpolation, NodesThatHaveNoSuchOrderAreZeroThere) {
 
 // The BRDF of a paint with orders left out, against one with all of them solved, over the peak: a
 // tolerance no interpolation meets makes the solver solve all.
-double error_of_paint(const paint::Recipe& recipe, int least_orders) {
+double error_of_paint(const paint::Recipe& recipe, int min_orders) {
     SolverSettings settings{.tolerance = 1e-6};
     const SolvedPaint found = solve(recipe, kOneWavelength, settings);
-    EXPECT_GT(found.report.orders, least_orders);
+    EXPECT_GT(found.report.orders, min_orders);
     settings.max_orders = found.report.orders;
     settings.tolerance = 1e-12;
     const SolvedPaint all = solve(recipe, kOneWavelength, settings);

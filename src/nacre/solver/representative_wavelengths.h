@@ -29,7 +29,7 @@ class RepresentativeWavelengths {
     /// A row at all wavelengths from that at the representatives, as what is solved for these alone has
     /// it. Lanes beyond the last wavelength repeat it.
     void at_all(const DoubleLanes* few, DoubleLanes* all) const;
-    /// The values at the representatives of rows at all wavelengths, and what they tell of all.
+    /// The values at the representatives of rows at all wavelengths, and all as interpolated from them.
     OrderValues chosen(const OrderValues& all) const;
     OrderValues again(const OrderValues& all) const;
 

@@ -46,17 +46,17 @@ DoubleLanes smith_beckmann_over_cosine(const DoubleLanes& cosine, const DoubleLa
                                        double alpha);
 
 /// Calls visit(FacetExits) for nodes that integrate over all that leaves the surface when light
-/// comes from the polar angle theta on the side of index n_here. Fractions sum to 1 - m(theta).
+/// comes from the polar angle theta on the side of index n_incident. Fractions sum to 1 - m(theta).
 ///
 /// Nodes are polar in the slope plane. Rings are cut where facets turn out of sight, reflect or
 /// refract beyond the horizon, or begin to reflect totally: between cuts the integrand is smooth
 /// but for square roots at the ends, which the cubic 3 u^2 - 2 u^3 takes away.
 template <class Visit>
-void for_each_facet_exit(double theta, double alpha, double n_here, double n_there,
+void for_each_facet_exit(double theta, double alpha, double n_incident, double n_transmitted,
                          FacetDetail detail, Visit&& visit) {
     constexpr double kTail = 20.0;  // e^-20 of the facets are left out
     const double c = std::cos(theta), s = std::sin(theta);
-    const double eta = n_there / n_here;
+    const double eta = n_transmitted / n_incident;
     const bool inside = eta < 1;
     const double total_reflection = inside ? std::sqrt(1 - eta * eta) : -1.0;
     const double scale = smith_beckmann_over_cosine(c, s, alpha);
@@ -80,7 +80,7 @@ void for_each_facet_exit(double theta, double alpha, double n_here, double n_the
         const DoubleLanes cosine = min_lanes(projected / length, one);
         const DoubleLanes fraction = lanes(&Node::weight) * projected * scale;
         const DoubleLanes reflectance =
-            optics::dielectric_reflectance(splat(n_here), splat(n_there), cosine);
+            optics::dielectric_reflectance(splat(n_incident), splat(n_transmitted), cosine);
         const auto leave = [&](const DoubleLanes& x, const DoubleLanes& y, const DoubleLanes& z,
                                const DoubleLanes& part, bool through) {
             const DoubleLanes across = sqrt_lanes(x * x + y * y);
@@ -102,7 +102,8 @@ void for_each_facet_exit(double theta, double alpha, double n_here, double n_the
         const DoubleLanes transmittance = 1 - reflectance;
         if (lane_max(transmittance) > 0) {
             const DoubleLanes bend =
-                (cosine / eta - optics::refracted_cos(splat(n_here), splat(n_there), cosine)) /
+                (cosine / eta -
+                 optics::refracted_cos(splat(n_incident), splat(n_transmitted), cosine)) /
                 length;
             leave(bend * p - s / eta, bend * q, c / eta - bend, transmittance, true);
         }
@@ -221,7 +222,7 @@ void for_each_facet_exit(double theta, double alpha, double n_here, double n_the
 
 // The rough interface (rough_interface.h) as matrices for the solver, one set per azimuthal order.
 //
-// Psi is basic radiance times the square root of etendue, so that both sides share one scale and
+// Psi is basic radiance times the square root of etendue, so that both sides fraction one scale and
 // transmission inwards is the transpose of that outwards. The matrices are the Galerkin projections
 // of the kernel on the polynomials that the quadrature nodes interpolate,
 //

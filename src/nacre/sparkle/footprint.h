@@ -11,7 +11,7 @@ namespace nacre::sparkle {
 /// A parallelogram about a point, tangent to the surface there.
 struct ObjectSpaceFootprint {
     Vec3f position_mm;
-    Vec3f normal{0, 0, 1};   ///< unit; of the frame in which directions are told (shading normal)
+    Vec3f normal{0, 0, 1};   ///< unit; of the frame of directions (shading normal)
     Vec3f tangent{1, 0, 0};  ///< unit; where the x axis of that frame points
     Vec3f edge_mm[2];        ///< perpendicular to the normal; both zero: the point alone
     /// How much more than the mean weight what lies at the end of each edge has, and what lies at

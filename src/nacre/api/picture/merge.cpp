@@ -13,9 +13,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// @throws InputError naming both files and both values of the first thing in which they differ
-void require_same_picture(const PictureShare& share, const fs::path& file,
-                          const PictureShare& first, const fs::path& first_file) {
-    const auto its = identity_of(share), wanted = identity_of(first);
+void require_same_picture(const PictureShard& shard, const fs::path& file,
+                          const PictureShard& first, const fs::path& first_file) {
+    const auto its = identity_of(shard), wanted = identity_of(first);
     const std::map<std::string, std::string> by_key(its.begin(), its.end());
     const std::map<std::string, std::string> wanted_by_key(wanted.begin(), wanted.end());
     const auto require = [&](const std::string& key) {
@@ -25,7 +25,7 @@ void require_same_picture(const PictureShare& share, const fs::path& file,
         };
         if (text(by_key) == text(wanted_by_key)) return;
         throw InputError(fmt::format(
-            "{}: {} = {}, but {} has {}: they are shares of different pictures", file.string(), key,
+            "{}: {} = {}, but {} has {}: they are shards of different pictures", file.string(), key,
             text(by_key), first_file.string(), text(wanted_by_key)));
     };
     for (const auto& [key, value] : wanted) require(key);
@@ -34,33 +34,33 @@ void require_same_picture(const PictureShare& share, const fs::path& file,
 
 }  // namespace
 
-Picture merge_shares(std::span<const fs::path> files) {
-    if (files.empty()) throw InputError("there are no shares to merge");
-    PictureShare whole;
+Picture merge_shards(std::span<const fs::path> files) {
+    if (files.empty()) throw InputError("there are no shards to merge");
+    PictureShard whole;
     std::map<int, fs::path> taken;  // by number
     for (const fs::path& file : files) {
-        PictureShare share = read_share(file);
-        if (!taken.empty()) require_same_picture(share, file, whole, files[0]);
-        const auto [before, is_new] = taken.try_emplace(share.share.number, file);
+        PictureShard shard = read_shard(file);
+        if (!taken.empty()) require_same_picture(shard, file, whole, files[0]);
+        const auto [before, is_new] = taken.try_emplace(shard.shard.number, file);
         if (!is_new) {
-            throw InputError(fmt::format("{}: holds the share {}/{}, as does {}", file.string(),
-                                         share.share.number, share.share.count,
+            throw InputError(fmt::format("{}: holds the shard {}/{}, as does {}", file.string(),
+                                         shard.shard.number, shard.shard.count,
                                          before->second.string()));
         }
         if (taken.size() == 1) {
-            whole = std::move(share);
+            whole = std::move(shard);
         } else {
-            whole.sums.add(share.sums);
+            whole.sums.add(shard.sums);
         }
     }
     std::vector<std::string> missing;
-    for (int number = 1; number <= whole.share.count; ++number) {
+    for (int number = 1; number <= whole.shard.count; ++number) {
         if (!taken.contains(number)) {
-            missing.push_back(fmt::format("{}/{}", number, whole.share.count));
+            missing.push_back(fmt::format("{}/{}", number, whole.shard.count));
         }
     }
     if (!missing.empty()) {
-        throw InputError(fmt::format("{}: of its picture, shares are missing: {}",
+        throw InputError(fmt::format("{}: of its picture, shards are missing: {}",
                                      files[0].string(), fmt::join(missing, ", ")));
     }
     return {render::develop(std::move(whole.sums), whole.options), render::picture_metadata(whole)};

@@ -272,29 +272,29 @@ std::map<std::string, std::string> Scene::metadata(const RenderSettings& setting
     return all;
 }
 
-PictureShare Scene::share_of(const RenderSettings& settings, const Share& share,
+PictureShard Scene::shard_of(const RenderSettings& settings, const Shard& shard,
                              render::RenderSums sums) const {
-    return {settings, share, std::move(sums), metadata(settings), sha256_};
+    return {settings, shard, std::move(sums), metadata(settings), sha256_};
 }
 
 Picture Scene::render(const RenderSettings& settings, const Progress& progress) const {
     return {render::render(*compiled_, settings, progress),
-            render::picture_metadata(share_of(settings, {}, {}))};
+            render::picture_metadata(shard_of(settings, {}, {}))};
 }
 
-PictureShare Scene::render_share(const RenderSettings& settings, const Share& share,
+PictureShard Scene::render_shard(const RenderSettings& settings, const Shard& shard,
                                  const Progress& progress) const {
-    return share_of(settings, share, render::render_share(*compiled_, settings, share, progress));
+    return shard_of(settings, shard, render::render_shard(*compiled_, settings, shard, progress));
 }
 
-std::optional<PictureShare> Scene::find_share(const fs::path& file, const RenderSettings& settings,
-                                              const Share& share) const {
+std::optional<PictureShard> Scene::find_shard(const fs::path& file, const RenderSettings& settings,
+                                              const Shard& shard) const {
     if (!fs::is_regular_file(file)) return std::nullopt;
     try {
-        PictureShare found = read_share(file);
-        const PictureShare wanted = share_of(settings, share, {});
+        PictureShard found = read_shard(file);
+        const PictureShard wanted = shard_of(settings, shard, {});
         const bool same =
-            found.share == share && render::identity_of(found) == render::identity_of(wanted);
+            found.shard == shard && render::identity_of(found) == render::identity_of(wanted);
         return same ? std::optional(std::move(found)) : std::nullopt;
     } catch (const InputError&) {
         return std::nullopt;

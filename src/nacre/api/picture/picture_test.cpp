@@ -68,9 +68,9 @@ TEST(Picture, SaysHowItWasMade) {
     EXPECT_EQ(usual.at("nacre:footprint_pixels"), "0");
     EXPECT_EQ(usual.at("nacre:model_settings:paint"), "nacre specimen=0 hot_spot=true");
     EXPECT_FALSE(usual.contains("nacre:turntable"));
-    // The hash is that of its shares.
+    // The hash is that of its shards.
     EXPECT_EQ(usual.at("nacre:scene_sha256"),
-              Scene(panel, {.slot = paint}).render_share(kTiny, {}).scene_sha256);
+              Scene(panel, {.slot = paint}).render_shard(kTiny, {}).scene_sha256);
     RenderSettings others = kTiny;
     others.max_depth = 3;
     others.footprint_pixels = 0.5;
@@ -116,63 +116,63 @@ TEST(Picture, ModelsThatCannotShowWhereACoatVariesRefuseIt) {
     EXPECT_EQ(refusal({40, 0.0, 0, {}, 4}), "accepted");
 }
 
-TEST(Picture, IsMergedFromItsSharesAndNoOthers) {
+TEST(Picture, IsMergedFromItsShardsAndNoOthers) {
     const Paint paint(fit::testing::pearl());
     const Scene scene(find_scene("sphere"), {.slot = paint});
     RenderSettings four = kTiny;
     four.samples_per_pixel = 4;
     const test::TempFolder folder;
-    const auto share = [&](const std::string& name, const Scene& of, const RenderSettings& how,
-                           const Share& which) {
-        write_share(folder / name, of.render_share(how, which));
+    const auto shard = [&](const std::string& name, const Scene& of, const RenderSettings& how,
+                           const Shard& which) {
+        write_shard(folder / name, of.render_shard(how, which));
         return folder / name;
     };
-    const auto first = share("first.h5", scene, four, {1, 2});
-    const auto second = share("second.h5", scene, four, {2, 2});
-    const Picture merged = merge_shares(std::vector{second, first});
+    const auto first = shard("first.h5", scene, four, {1, 2});
+    const auto second = shard("second.h5", scene, four, {2, 2});
+    const Picture merged = merge_shards(std::vector{second, first});
     EXPECT_EQ(merged.image(), scene.render(four).image());
     EXPECT_EQ(merged.result.seconds,
-              read_share(first).sums.seconds + read_share(second).sums.seconds);
+              read_shard(first).sums.seconds + read_shard(second).sums.seconds);
 
-    // A share of an earlier run is found, and no other.
-    EXPECT_EQ(scene.find_share(first, four, {1, 2}), read_share(first));
-    EXPECT_FALSE(scene.find_share(first, four, {2, 2}));
-    EXPECT_FALSE(scene.find_share(first, kTiny, {1, 1}));
-    EXPECT_FALSE(scene.find_share(folder / "none.h5", four, {1, 2}));
+    // A shard of an earlier run is found, and no other.
+    EXPECT_EQ(scene.find_shard(first, four, {1, 2}), read_shard(first));
+    EXPECT_FALSE(scene.find_shard(first, four, {2, 2}));
+    EXPECT_FALSE(scene.find_shard(first, kTiny, {1, 1}));
+    EXPECT_FALSE(scene.find_shard(folder / "none.h5", four, {1, 2}));
     folder.write("broken.h5", read_file(first).substr(0, 600));
-    EXPECT_FALSE(scene.find_share(folder / "broken.h5", four, {1, 2}));
+    EXPECT_FALSE(scene.find_shard(folder / "broken.h5", four, {1, 2}));
 
     const auto refused = [&](const std::filesystem::path& other) {
-        return message_of<InputError>([&] { merge_shares(std::vector{first, other}); });
+        return message_of<InputError>([&] { merge_shards(std::vector{first, other}); });
     };
-    EXPECT_THAT(message_of<InputError>([&] { merge_shares(std::vector{second}); }),
-                HasSubstr("second.h5: of its picture, shares are missing: 1/2"));
-    EXPECT_THAT(message_of<InputError>([] { merge_shares({}); }), HasSubstr("no shares"));
-    EXPECT_THAT(refused(first), HasSubstr("first.h5: holds the share 1/2, as does "));
+    EXPECT_THAT(message_of<InputError>([&] { merge_shards(std::vector{second}); }),
+                HasSubstr("second.h5: of its picture, shards are missing: 1/2"));
+    EXPECT_THAT(message_of<InputError>([] { merge_shards({}); }), HasSubstr("no shards"));
+    EXPECT_THAT(refused(first), HasSubstr("first.h5: holds the shard 1/2, as does "));
     RenderSettings other_seed = four;
     other_seed.seed = 9;
-    EXPECT_THAT(refused(share("seed.h5", scene, other_seed, {2, 2})),
+    EXPECT_THAT(refused(shard("seed.h5", scene, other_seed, {2, 2})),
                 AllOf(HasSubstr("seed.h5: seed = 9, but "), HasSubstr("first.h5 has 0")));
-    EXPECT_THAT(refused(share("thirds.h5", scene, four, {2, 3})), HasSubstr("count of shares = 3"));
+    EXPECT_THAT(refused(shard("thirds.h5", scene, four, {2, 3})), HasSubstr("count of shards = 3"));
     const Scene by_another_model(find_scene("sphere"), {paint, MicroflakeModel{}});
-    EXPECT_THAT(refused(share("model.h5", by_another_model, four, {2, 2})),
+    EXPECT_THAT(refused(shard("model.h5", by_another_model, four, {2, 2})),
                 HasSubstr("model.h5: nacre:model = microflake, but "));
     const Scene of_another_paint(find_scene("sphere"),
                                  {.slot = paint.with("coats[0].thickness_nm", 60)});
-    EXPECT_THAT(refused(share("paint.h5", of_another_paint, four, {2, 2})),
+    EXPECT_THAT(refused(shard("paint.h5", of_another_paint, four, {2, 2})),
                 HasSubstr("paint.h5: nacre:recipe_sha256:paint = "));
     render::SceneDescription moved = find_scene("sphere");
     moved.camera.position_mm.x += 1;
-    EXPECT_THAT(refused(share("moved.h5", Scene(moved, {.slot = paint}), four, {2, 2})),
+    EXPECT_THAT(refused(shard("moved.h5", Scene(moved, {.slot = paint}), four, {2, 2})),
                 HasSubstr("moved.h5: scene_sha256 = "));
     // What a scene is called, and where it lies, is not what it shows.
     render::SceneDescription renamed = find_scene("sphere");
     renamed.name = "ball";
-    const auto ball = share("ball.h5", Scene(renamed, {.slot = paint}), four, {2, 2});
-    EXPECT_EQ(merge_shares(std::vector{first, ball}).result.rgb, merged.result.rgb);
+    const auto ball = shard("ball.h5", Scene(renamed, {.slot = paint}), four, {2, 2});
+    EXPECT_EQ(merge_shards(std::vector{first, ball}).result.rgb, merged.result.rgb);
 }
 
-TEST(Picture, ASharesSceneHasItsFilesContents) {
+TEST(Picture, AShardsSceneHasItsFilesContents) {
     const test::TempFolder folder;
     folder.write("a.obj", "v 0 0 0\nv 20 0 0\nv 0 10 0\nf 1 2 3\n");
     folder.write("b.obj", "v 0 0 0\nv 20 0 0\nv 0 10 0\nf 1 2 3\n");
@@ -184,7 +184,7 @@ TEST(Picture, ASharesSceneHasItsFilesContents) {
             render::DiffusePictureMaterial{.width = 1, .height = 1, .rgb = {tile, 0.5f, 0.5f}};
         scene.shapes.push_back({render::MeshFile{.path = folder / mesh}, "grey", {}});
         scene.environment = render::ImageEnvironment{.width = 1, .height = 1, .rgb = {1, 1, sky}};
-        return Scene(scene).render_share(kTiny, {}).scene_sha256;
+        return Scene(scene).render_shard(kTiny, {}).scene_sha256;
     };
     EXPECT_EQ(sha256("a.obj", 1), sha256("b.obj", 1));
     EXPECT_NE(sha256("a.obj", 1), sha256("c.obj", 1));

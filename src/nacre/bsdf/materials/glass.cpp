@@ -138,53 +138,54 @@ class BoundPane final : public BoundBsdf {
     float pdf(Vec3f, Vec3f) const override { return 0; }
     std::optional<BsdfSample> sample(Vec3f wi, float u_select, Vec2f) const override {
         if (wi.z <= 0) return std::nullopt;
-        const Share share = share_at(wi.z);
-        const float reflected = lane_mean(share.reflected), through = lane_mean(share.through);
+        const Fractions fractions = fractions_at(wi.z);
+        const float reflected = lane_mean(fractions.reflected),
+                    through = lane_mean(fractions.through);
         const float p_reflected = reflected / (reflected + through);
         if (u_select < p_reflected) {
             return BsdfSample{.wo = {-wi.x, -wi.y, wi.z},
-                              .weight = share.reflected * (1 / p_reflected),
+                              .weight = fractions.reflected * (1 / p_reflected),
                               .pdf = p_reflected,
                               .kind = SampleKind::specular,
                               .exit_mm = {}};
         }
         return BsdfSample{.wo = {-wi.x, -wi.y, -wi.z},
-                          .weight = share.through * (1 / (1 - p_reflected)),
+                          .weight = fractions.through * (1 / (1 - p_reflected)),
                           .pdf = 1 - p_reflected,
                           .kind = SampleKind::null,
                           .exit_mm = {}};
     }
     FloatLanes albedo(Vec3f wi) const override {
         if (wi.z <= 0) return FloatLanes{};
-        const Share share = share_at(wi.z);
-        return share.reflected + share.through;
+        const Fractions fractions = fractions_at(wi.z);
+        return fractions.reflected + fractions.through;
     }
     bool transmits() const override { return true; }
     FloatLanes null_transmission(Vec3f wi) const override {
-        return wi.z > 0 ? share_at(wi.z).through : FloatLanes{};
+        return wi.z > 0 ? fractions_at(wi.z).through : FloatLanes{};
     }
 
  private:
-    struct Share {
+    struct Fractions {
         FloatLanes reflected, through;
     };
-    Share share_at(float cosine) const {
+    Fractions fractions_at(float cosine) const {
         const float inside = optics::refracted_cos(1.0f, index_, cosine);
         const FloatLanes t = inside > 0 ? exp_lanes(depth_ * (-1 / inside)) : FloatLanes{};
         // Each polarisation is reflected to and fro by itself, then both are averaged.
-        Share share{};
+        Fractions fractions{};
         for (const float r : {(cosine - index_ * inside) / (cosine + index_ * inside),
                               (index_ * cosine - inside) / (index_ * cosine + inside)}) {
             const float f = r * r;
             if (f >= 1) {
-                share.reflected += 0.5f;
+                fractions.reflected += 0.5f;
                 continue;
             }
             const FloatLanes through = ((1 - f) * (1 - f)) * t / (splat(1.0f) - (f * f) * t * t);
-            share.through += 0.5f * through;
-            share.reflected += 0.5f * (splat(f) + f * t * through);
+            fractions.through += 0.5f * through;
+            fractions.reflected += 0.5f * (splat(f) + f * t * through);
         }
-        return share;
+        return fractions;
     }
 
     float index_;

@@ -437,30 +437,30 @@ MultiplyScattered BoundMicroflake::multiple_value(const Ray& i, const Ray& o,
     const FloatLanes factor = interface_factor(i, o);
     MultiplyScattered again;
     const FloatLanes smooth = tabulated(smooth_, i, o, cell);
-    FloatLanes closing = splat(1.0f);
+    FloatLanes compensation = splat(1.0f);
     again.all = smooth;
-    if constexpr (requires { flakes.multiple(smooth, closing); }) {
-        closing = flakes.closing();
-        again.all = flakes.multiple(smooth, closing);
+    if constexpr (requires { flakes.multiple(smooth, compensation); }) {
+        compensation = flakes.compensation();
+        again.all = flakes.multiple(smooth, compensation);
     }
     again.all *= factor;
     again.no_internal_reflection = again.all;
     if (!leaning_) return again;
-    closing *= factor;
+    compensation *= factor;
     const FloatLanes no_internal_reflection =
         tabulated(leaning_->no_internal_reflection, i, o, cell);
     const FloatLanes no_ground = over_ground ? tabulated(leaning_->over_black, i, o, cell) : smooth;
-    again.no_internal_reflection = no_internal_reflection * closing;
+    again.no_internal_reflection = no_internal_reflection * compensation;
     if constexpr (requires { flakes.internal_reflection_gain(); }) {
         const FloatLanes returned = max_lanes(no_ground - no_internal_reflection, FloatLanes{}) *
                                     flakes.internal_reflection_gain();
         again.no_internal_reflection =
-            max_lanes(no_ground * closing - returned * factor, FloatLanes{});
+            max_lanes(no_ground * compensation - returned * factor, FloatLanes{});
     }
     if (over_ground) {
         // The difference of two solutions holds no light that is not well above their errors.
         constexpr float kSeen = 1e-3f;
-        const FloatLanes ground = again.all - no_ground * closing;
+        const FloatLanes ground = again.all - no_ground * compensation;
         again.from_ground = ground > kSeen * again.all ? ground : FloatLanes{};
     }
     return again;

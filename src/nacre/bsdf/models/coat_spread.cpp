@@ -12,7 +12,7 @@ namespace nacre::bsdf {
 namespace {
 
 /// Bounds of q: where a coat is nearly opaque a table holds little but its own error.
-constexpr float kMaxRemainder = 8;
+constexpr float kMaxRatio = 8;
 /// D over the depth of C, at most: light that the interface sends back crosses the coat twice more, at
 /// angles that are flatter than those at which light leaves.
 constexpr float kMaxCrossings = 2;
@@ -23,7 +23,7 @@ constexpr float kDark = 1e-30f;
 solver::SolvedPaint at_deviation(const solver::SolvedPaint& paint, double deviation, bool hot_spot,
                                  SharedProgress& work) {
     const double factor = 1 + deviation * paint.recipe.coat_spread();
-    const Progress asking = [&](double) { return work.ask(); };
+    const Progress asking = [&](double) { return work.keep_going(); };
     solver::SolvedPaint solved = solver::solve_with_coat(paint, factor, asking);
     return hot_spot ? with_rough_hot_spot(solved) : solved;
 }
@@ -44,10 +44,11 @@ BoundCoatSpread::BoundCoatSpread(const CoatSpread& spread,
     }
 }
 
-FloatLanes relative_remainder(const CoatNodes& table, const FloatLanes& depth, float deviation) {
+FloatLanes relative_multiple_scattering(const CoatNodes& table, const FloatLanes& depth,
+                                        float deviation) {
     constexpr auto kNode = static_cast<float>(kCoatNode);
     const auto bounded = [](const FloatLanes& x) {
-        return min_lanes(max_lanes(x, splat(1 / kMaxRemainder)), splat(kMaxRemainder));
+        return min_lanes(max_lanes(x, splat(1 / kMaxRatio)), splat(kMaxRatio));
     };
     // 1/q at a node, whose C is e^exponent.
     const auto inverse = [&](const FloatLanes& there, const FloatLanes& exponent) {

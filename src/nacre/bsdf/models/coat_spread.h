@@ -63,6 +63,7 @@ struct CoatNodes {
 
 /// q(z).
 /// @param depth  s a (1/mu_i + 1/mu_o)
-FloatLanes relative_remainder(const CoatNodes& table, const FloatLanes& depth, float deviation);
+FloatLanes relative_multiple_scattering(const CoatNodes& table, const FloatLanes& depth,
+                                        float deviation);
 
 }  // namespace nacre::bsdf

@@ -172,8 +172,8 @@ TEST(CoatSpread, TheRemainderOfADiffuseGroundIsExact) {
             };
             const CoatNodes nodes{table(0), table(-kCoatNode), table(kCoatNode)};
             for (const double z : {-2.5, -1.3, 0.0, 0.7, 2.0}) {
-                const float q = relative_remainder(nodes, splat(static_cast<float>(kDepth)),
-                                                   static_cast<float>(z))[0];
+                const float q = relative_multiple_scattering(
+                    nodes, splat(static_cast<float>(kDepth)), static_cast<float>(z))[0];
                 EXPECT_NEAR(q * table(0)[0] * std::exp(-z * kDepth), table(z)[0],
                             3e-4 * table(z)[0])
                     << crossings << " " << sent_back << " " << z;

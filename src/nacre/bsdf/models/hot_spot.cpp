@@ -5,7 +5,7 @@
 #include <cstring>
 #include <numbers>
 
-#include "nacre/bsdf/models/hot_spot_closing.h"
+#include "nacre/bsdf/models/hot_spot_compensation.h"
 #include "nacre/core/lane_math.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/paint/beckmann.h"
@@ -67,7 +67,7 @@ HotSpotTables::HotSpotTables(const solver::SolvedPaint& paint)
     }
     if (species_.empty()) return;
     tabulate_ground(medium);
-    closing_ = closing_factors(paint, *this);
+    compensation_ = compensation_factors(paint, *this);
     if (paint.recipe.flake_lean()) returned_ = internal_reflection_gains(paint, *this);
 }
 
@@ -143,7 +143,7 @@ HotSpot::HotSpot(const HotSpotTables& tables, const std::array<WavelengthPositio
         }
     };
     bind(tables.ground_, ground_);
-    bind(tables.closing_, closing_);
+    bind(tables.compensation_, compensation_);
     bind(tables.returned_, returned_);
 }
 
@@ -237,8 +237,8 @@ FloatLanes HotSpot::Pair::ground_gain() const {
     return exp_lanes(min_lanes(gain(hot_spot_->thickness_um_.size() - 1, 1), splat(kMaxGain)));
 }
 
-FloatLanes HotSpot::Pair::closing() const {
-    const std::vector<FloatLanes>& by_direction = hot_spot_->closing_;
+FloatLanes HotSpot::Pair::compensation() const {
+    const std::vector<FloatLanes>& by_direction = hot_spot_->compensation_;
     if (by_direction.empty()) return splat(1.0f);
     return i_->look_up(by_direction) * o_->look_up(by_direction);
 }
@@ -249,12 +249,13 @@ FloatLanes HotSpot::Pair::internal_reflection_gain() const {
     return i_->look_up(by_direction) * o_->look_up(by_direction);
 }
 
-FloatLanes HotSpot::Pair::multiple(const FloatLanes& transfer, const FloatLanes& closing) const {
+FloatLanes HotSpot::Pair::multiple(const FloatLanes& transfer,
+                                   const FloatLanes& compensation) const {
     const HotSpot& h = *hot_spot_;
-    if (h.closing_.empty()) return transfer;
-    if (h.ground_.empty()) return closing * transfer;
+    if (h.compensation_.empty()) return transfer;
+    if (h.ground_.empty()) return compensation * transfer;
     const FloatLanes once = ground();
-    return closing * max_lanes(transfer - once, FloatLanes{}) + ground_gain() * once;
+    return compensation * max_lanes(transfer - once, FloatLanes{}) + ground_gain() * once;
 }
 
 }  // namespace nacre::bsdf

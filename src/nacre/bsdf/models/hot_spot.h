@@ -30,15 +30,15 @@ namespace nacre::bsdf {
 // the ground scatters once.
 //
 // Light that leaves after it was scattered once is missing from what is scattered again, which is
-// dimmed by C(i) C(o) (hot_spot_closing.h).
+// dimmed by C(i) C(o) (hot_spot_compensation.h).
 //
 // A rough clearcoat turns each ray on its own: delta is then the mean over its facets
-// (CoatTilt::separation), and what is dimmed, and by how much, rough_hot_spot.h says.
+// (CoatTilt::separation), and the compensation is that of rough_hot_spot.h.
 
 /// What does not depend on the wavelengths that are bound.
 class HotSpotTables {
  public:
-    /// @throws Error as closing_factors()
+    /// @throws Error as compensation_factors()
     explicit HotSpotTables(const solver::SolvedPaint& paint);
 
     struct Species {
@@ -48,12 +48,12 @@ class HotSpotTables {
     };
     const std::vector<Species>& species() const { return species_; }
     /// [direction][wavelength]. The product of two directions: of ground(), the light that the
-    /// ground alone has scattered, without Fresnel factors; of closing(), what multiple scattering
+    /// ground alone has scattered, without Fresnel factors; of compensation(), what multiple scattering
     /// is multiplied by. Empty where that is 0, or 1, and under a rough clearcoat.
     const std::vector<float>& ground() const { return ground_; }
-    const std::vector<float>& closing() const { return closing_; }
+    const std::vector<float>& compensation() const { return compensation_; }
     /// Likewise what light gains that the interface had sent back: internal_reflection_gains(). Empty where no
-    /// flakes lean, which is where it is told from the rest.
+    /// flakes lean, the only case in which it is stored by itself.
     const std::vector<float>& returned() const { return returned_; }
 
     const std::vector<std::vector<float>>& extinction() const { return extinction_; }
@@ -68,7 +68,7 @@ class HotSpotTables {
     std::vector<float> top_um_, thickness_um_;  // by layer
     int wavelength_count_;
     std::vector<std::vector<float>> extinction_;  // extinction_by_direction()
-    std::vector<float> ground_, closing_, returned_;
+    std::vector<float> ground_, compensation_, returned_;
     sparkle::CoatTilt coat_;
 };
 
@@ -98,12 +98,12 @@ class HotSpot {
         /// All light that was not scattered once in a layer, without Fresnel factors.
         /// @param transfer  the same by the equation of transfer
         FloatLanes multiple(const FloatLanes& transfer) const {
-            return multiple(transfer, closing());
+            return multiple(transfer, compensation());
         }
-        /// @param closing  closing(), where it is known
-        FloatLanes multiple(const FloatLanes& transfer, const FloatLanes& closing) const;
+        /// @param compensation  compensation(), where it is known
+        FloatLanes multiple(const FloatLanes& transfer, const FloatLanes& compensation) const;
         /// The factor of what was scattered more than once.
-        FloatLanes closing() const;
+        FloatLanes compensation() const;
         /// The factor of what the interface had sent back; the rest then has as much less.
         FloatLanes internal_reflection_gain() const;
         /// Of it, what the ground alone has scattered, by the equation of transfer; and the factor
@@ -136,7 +136,7 @@ class HotSpot {
 
     std::vector<Species> species_;
     std::vector<float> top_um_, thickness_um_;
-    std::vector<FloatLanes> ground_, closing_, returned_;  // by direction, or empty
+    std::vector<FloatLanes> ground_, compensation_, returned_;  // by direction, or empty
     sparkle::CoatTilt coat_;
     std::span<const float> overlap_;  // disc_overlap_integral() at even x, 0 to 1 and once more
 };

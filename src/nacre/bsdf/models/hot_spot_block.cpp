@@ -10,7 +10,7 @@
 namespace nacre::bsdf {
 namespace {
 
-// Nodes over the slopes of a lobe (docs/nacre-model.md has by how much closing factors err).
+// Nodes over the slopes of a lobe (docs/nacre-model.md has by how much compensation factors err).
 constexpr int kRadii = 12, kAzimuths = 10;
 
 /// Nodes over half the azimuths of what is scattered evenly. Gaps are shared by two rays whose slopes are
@@ -20,14 +20,14 @@ int exit_azimuths(double ior) {
 }
 
 // The tangent of the least tilt, towards the azimuth of this cosine and sine, of a flake that mirrors
-// light from i into total reflection: beyond inside.z = least_z.
+// light from i into total reflection: beyond inside.z = min_z.
 //
 // As the flake tilts by a in a plane through the vertical, what it mirrors turns by 2 a about the
 // normal of that plane, towards which the light from i has the angle beta: z = rho cos(2 a - beta).
-double slope_of_total_reflection(const Vec3f& i, double cosine, double sine, double least_z) {
+double slope_of_total_reflection(const Vec3f& i, double cosine, double sine, double min_z) {
     const double along = i.x * cosine + i.y * sine;
     const double rho = std::hypot(along, i.z), beta = std::atan2(along, i.z);
-    return std::tan(0.5 * (beta + std::acos(std::min(1.0, least_z / rho))));
+    return std::tan(0.5 * (beta + std::acos(std::min(1.0, min_z / rho))));
 }
 
 bool scatters(const solver::LayerMedium& layer) {
@@ -165,13 +165,13 @@ void HotSpotBlock::add_flakes(const Ray& i, Budget& sum) const {
     constexpr double kTail = 3.3;  // in units of alpha; e^-11 of the flakes is steeper
     const Quadrature &radii = unit_gauss_legendre(kRadii),
                      &azimuths = unit_gauss_legendre(kAzimuths);
-    const double n = mean_ior_, least_z = std::sqrt(std::max(0.0, 1 - 1 / (n * n)));
-    const double least_slope = slope_of_total_reflection(i.inside, -1, 0, least_z);  // away from i
+    const double n = mean_ior_, min_z = std::sqrt(std::max(0.0, 1 - 1 / (n * n)));
+    const double min_slope = slope_of_total_reflection(i.inside, -1, 0, min_z);  // away from i
     for (std::size_t l = 0; l < medium_.layers.size(); ++l) {
         for (const solver::FlakeMedium& flake : medium_.layers[l].flakes) {
             // Total reflection cuts lobes off along a line, which at grazing incidence goes through the
             // normal: azimuths to either side have nodes of their own.
-            const bool cut = least_slope < kTail * flake.alpha;
+            const bool cut = min_slope < kTail * flake.alpha;
             const int panels = cut ? 2 : 1;
             for (int a = 0; a < panels * kAzimuths; ++a) {
                 const double phi =
@@ -179,7 +179,7 @@ void HotSpotBlock::add_flakes(const Ray& i, Budget& sum) const {
                 const double cosine = std::cos(phi), sine = std::sin(phi);
                 double end = kTail;
                 if (cut) {
-                    end = std::min(end, slope_of_total_reflection(i.inside, cosine, sine, least_z) /
+                    end = std::min(end, slope_of_total_reflection(i.inside, cosine, sine, min_z) /
                                             flake.alpha);
                 }
                 for (int r = 0; r < kRadii; ++r) {

@@ -14,7 +14,7 @@ namespace nacre::bsdf {
 class HotSpotBrdf {
  public:
     /// @param paint  outlives this
-    /// @throws Error as closing_factors(), with_rough_hot_spot()
+    /// @throws Error as compensation_factors(), with_rough_hot_spot()
     explicit HotSpotBrdf(const solver::SolvedPaint& paint);
 
     /// As SolvedPaint::brdf(). What the ground alone has scattered is part of the multiple.

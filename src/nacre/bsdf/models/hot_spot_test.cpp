@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "nacre/bsdf/models/hot_spot_brdf.h"
-#include "nacre/bsdf/models/hot_spot_closing.h"
+#include "nacre/bsdf/models/hot_spot_compensation.h"
 #include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/lane_math.h"
@@ -38,7 +38,7 @@ TEST(DiscOverlap, IntegralIsThatOfTheOverlap) {
 // The mean over depth of the probability P that an opaque flake is both lit and seen: that of the
 // transfer equation times f_single with the hot spot over f_single without it. Of light that is
 // scattered again there is next to nothing here.
-double lit_and_seen(double diameter_um, double theta_deg) {
+double bidirectional(double diameter_um, double theta_deg) {
     paint::Recipe recipe = paint_of({metal_flake(diameter_um, 1e-3)});  // nothing twice
     recipe.layers[0].flakes[0].amount = paint::AreaDensity{2.0 / 15};
     const SparklingModel hot(recipe, {.specimen = 1, .hot_spot = true}), plain(recipe);
@@ -76,7 +76,7 @@ TEST(HotSpot, LargeFlakesAreSeenWhereTheyAreLit) {
     };
     for (const Case& c : {Case{0.02, 20}, Case{5, 5}, Case{20, 20}, Case{100, 35}}) {
         const double expected = closed_form(c.diameter_um, c.theta_deg);
-        EXPECT_NEAR(lit_and_seen(c.diameter_um, c.theta_deg), expected, 3e-4 * expected)
+        EXPECT_NEAR(bidirectional(c.diameter_um, c.theta_deg), expected, 3e-4 * expected)
             << c.diameter_um << " um, " << c.theta_deg << " deg";
     }
     // Counting 20 um discs in 15 um of paint, depth 2, 20 deg inside, gave 0.397, where the
@@ -85,8 +85,8 @@ TEST(HotSpot, LargeFlakesAreSeenWhereTheyAreLit) {
     EXPECT_NEAR(closed_form(0.02, 20), 0.2465, 0.001);
     // Towards the light, and for infinitely large flakes, only the way in is blocked.
     const double once = 2 * 0.995073;
-    EXPECT_NEAR(lit_and_seen(20, 1e-3), -std::expm1(-once) / once, 0.002);
-    EXPECT_NEAR(lit_and_seen(9000, 20), -std::expm1(-once) / once, 0.005);
+    EXPECT_NEAR(bidirectional(20, 1e-3), -std::expm1(-once) / once, 0.002);
+    EXPECT_NEAR(bidirectional(9000, 20), -std::expm1(-once) / once, 0.005);
 }
 
 TEST(HotSpot, MeanOverDepthIsTheIntegralOfItsGain) {
@@ -179,7 +179,7 @@ paint::Recipe white_paint(double ground) {
     return recipe;
 }
 
-TEST(HotSpotClosing, LosesNoLightWhereNothingAbsorbs) {
+TEST(HotSpotCompensation, LosesNoLightWhereNothingAbsorbs) {
     for (const bool pigment : {false, true}) {
         for (const double alpha : {0.05, 0.4}) {
             paint::Recipe recipe = white_paint(1);
@@ -202,7 +202,7 @@ TEST(HotSpotClosing, LosesNoLightWhereNothingAbsorbs) {
     EXPECT_GT(albedo_at_540(HotSpotBrdf(*paint), 30 * kDegree, Part::single), 0.3);
 }
 
-TEST(HotSpotClosing, NoPaintReturnsMoreLightThanItGets) {
+TEST(HotSpotCompensation, NoPaintReturnsMoreLightThanItGets) {
     const SparklingModel model(white_paint(0.9), {.specimen = 1});
     for (const double theta : {0.0, 20.0, 45.0, 70.0, 85.0}) {
         EXPECT_LE(model.bound->albedo(direction(theta, 0))[3], 1.0f);
@@ -211,7 +211,7 @@ TEST(HotSpotClosing, NoPaintReturnsMoreLightThanItGets) {
 }
 
 // Below 150 flakes nothing is seen, and the gain of what lies there is beyond single precision.
-TEST(HotSpotClosing, WhatLiesBelowDeepFlakesIsNotSeen) {
+TEST(HotSpotCompensation, WhatLiesBelowDeepFlakesIsNotSeen) {
     for (const double roughness : {0.0, 0.2}) {
         paint::Recipe alone = paint_of({metal_flake(20, 0.9)});
         alone.layers[0].flakes[0].amount = paint::AreaDensity{10.0};
@@ -233,7 +233,7 @@ TEST(HotSpotClosing, WhatLiesBelowDeepFlakesIsNotSeen) {
     }
 }
 
-TEST(HotSpotClosing, ADyeOverTheFlakesDimsAsTheClearcoatDoes) {
+TEST(HotSpotCompensation, ADyeOverTheFlakesDimsAsTheClearcoatDoes) {
     for (const double roughness : {0.0, 0.2}) {
         paint::Recipe in_coat = paint_of({metal_flake(20, 0.9)});
         in_coat.clearcoat = paint::Clearcoat{30, 20.0, roughness};
@@ -253,7 +253,7 @@ TEST(HotSpotClosing, ADyeOverTheFlakesDimsAsTheClearcoatDoes) {
     }
 }
 
-TEST(HotSpotClosing, SmallFlakesLeaveTheEquationOfTransferAsItIs) {
+TEST(HotSpotCompensation, SmallFlakesLeaveTheEquationOfTransferAsItIs) {
     paint::Recipe recipe = recipe_with_every_feature();
     for (paint::Layer& layer : recipe.layers) {
         layer.flakes[0].diameter_um = 0.01;
@@ -268,7 +268,7 @@ TEST(HotSpotClosing, SmallFlakesLeaveTheEquationOfTransferAsItIs) {
     }
 }
 
-TEST(HotSpotClosing, WithoutFlakesThereIsNothingToClose) {
+TEST(HotSpotCompensation, WithoutFlakesThereIsNothingToClose) {
     paint::Recipe recipe = paint_of({});
     recipe.layers[0].pigments = {{paint::PigmentCoefficients{200.0, 50.0, 0.3}}};
     recipe.substrate_reflectance = 0.5;
@@ -291,7 +291,7 @@ std::vector<paint::Recipe> various_paints() {
 }
 
 // As a file may have it that another program wrote.
-TEST(HotSpotClosing, NodesWithoutOrderZeroAreBlack) {
+TEST(HotSpotCompensation, NodesWithoutOrderZeroAreBlack) {
     constexpr std::size_t kFirst = 4;
     const SparklingModel model(paint_of({metal_flake(20, 0.1)}), {.hot_spot = true});
     solver::SolvedPaint zeros = *model.paint, none = zeros;
@@ -322,16 +322,16 @@ TEST(HotSpotClosing, NodesWithoutOrderZeroAreBlack) {
     zeros.multiple_scattering.coefficient = order_0;
     tensor.first = {static_cast<int>(kFirst)};
     tensor.coefficient = left;
-    const std::vector<float> closing = HotSpotTables(none).closing();
-    EXPECT_EQ(closing, HotSpotTables(zeros).closing());
-    EXPECT_NE(closing, HotSpotTables(*model.paint).closing());
+    const std::vector<float> compensation = HotSpotTables(none).compensation();
+    EXPECT_EQ(compensation, HotSpotTables(zeros).compensation());
+    EXPECT_NE(compensation, HotSpotTables(*model.paint).compensation());
     // Without orders there is nothing to close.
     tensor.first.clear();
     tensor.coefficient.clear();
-    EXPECT_THAT(HotSpotTables(none).closing(), testing::Each(1.0f));
+    EXPECT_THAT(HotSpotTables(none).compensation(), testing::Each(1.0f));
 }
 
-TEST(HotSpotClosing, ValuesAreThoseOfTheModel) {
+TEST(HotSpotCompensation, ValuesAreThoseOfTheModel) {
     for (const paint::Recipe& recipe : various_paints()) {
         const SparklingModel model(recipe, {.specimen = 1});
         const HotSpotBrdf brdf(*model.paint);

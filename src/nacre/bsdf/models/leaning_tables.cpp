@@ -21,10 +21,11 @@ LeaningTables::Part::Part(solver::SolvedPaint solved)
 LeaningTables::LeaningTables(const solver::SolvedPaint& paint, SharedProgress& work)
     : over_black([&]() -> std::optional<Part> {
           if (solver::without_ground(paint.medium) == paint.medium) return std::nullopt;
-          return Part(solver::solve_without_ground(paint, [&](double) { return work.ask(); }));
+          return Part(
+              solver::solve_without_ground(paint, [&](double) { return work.keep_going(); }));
       }()),
       no_internal_reflection(solver::solve_without_internal_reflection(
-          over_black ? over_black->paint : paint, [&](double) { return work.ask(); })) {
+          over_black ? over_black->paint : paint, [&](double) { return work.keep_going(); })) {
     tabulate_depths(no_internal_reflection.paint.medium);
 }
 

@@ -310,7 +310,8 @@ CoatChange BoundMicroflake::coat_change(const Ray& i, const Ray& o, float deviat
                                         const CoatNodes& table) const {
     const FloatLanes depth = coat_depth_of_deviation(i, o);
     CoatChange change{exp_lanes(-deviation * depth), {}};
-    const FloatLanes more = table.mean * (relative_remainder(table, depth, deviation) - 1.0f);
+    const FloatLanes more =
+        table.mean * (relative_multiple_scattering(table, depth, deviation) - 1.0f);
     if (rough_) {
         // The lobe of the interface does not cross the coat.
         change.added = change.factor * more + (1.0f - change.factor) * rough_->interface.eval(i, o);

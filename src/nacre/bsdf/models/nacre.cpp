@@ -206,7 +206,7 @@ CoatChange BoundNacre::coat_change(Vec3f wi, Vec3f wo, float deviation) const {
     if (!hot_spot_nodes_.empty()) {
         const auto again = [&](const HotSpot& hot_spot, const FloatLanes& multiple) {
             const HotSpot::Pair pair(hot_spot, i, o);
-            return pair.closing() * max_lanes(multiple - pair.ground(), FloatLanes{});
+            return pair.compensation() * max_lanes(multiple - pair.ground(), FloatLanes{});
         };
         table = {again(*hot_spot_, table.mean), again(hot_spot_nodes_[0], table.thinner),
                  again(hot_spot_nodes_[1], table.thicker)};

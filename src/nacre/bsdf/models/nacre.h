@@ -200,9 +200,9 @@ class BoundNacre final : public BoundMicroflake {
                                const FloatLanes& cosine, const FloatLanes& depth,
                                const HotSpot::Pair* pair,
                                std::array<FloatLanes, kLanes>& attenuations) const;
-    // What is seen along w_i of flakes of one species, each of which mirrors it up into w_o: a guess,
-    // by sqrt(1 - cos theta) outside at even steps, which are nearly even angles.
-    struct SeenFlakes {
+    // Approximate luminance that flakes of one species reflect from w_i up into w_o, for sampling: at
+    // even steps of sqrt(1 - cos theta) outside, which are nearly even angles.
+    struct MeanFlakeReflectance {
         static constexpr int kEyeIntervals = 12, kIntervals = kLanes - 1;  // of w_i, and of w_o
         using ByEye = std::array<FloatLanes, kEyeIntervals + 1>;
         static float cosine(int node, int intervals) {
@@ -236,9 +236,9 @@ class BoundNacre final : public BoundMicroflake {
     };
     // The direction into which a flake mirrors w_i that leans by the median slope, across the plane
     // of w_i and the normal. If that light does not leave the coat: the direction of a flake that
-    // lies flat. The hot spot is there about what it is for most flakes.
+    // lies flat. The hot-spot factor of that direction is close to its average over flakes.
     Ray typical_reflected(std::size_t species, const Ray& i) const;
-    SeenFlakes seen_flakes(std::size_t species) const;
+    MeanFlakeReflectance mean_flake_reflectance(std::size_t species) const;
     // Per solid angle outside, of directions spread over the lobe of a typical flake that mirrors
     // wi upwards.
     float slope_density(std::size_t species, Vec3f wi) const;
@@ -252,8 +252,8 @@ class BoundNacre final : public BoundMicroflake {
     std::vector<BoundFlakeFilms> films_;  // by species
     std::optional<HotSpot> hot_spot_;
     std::vector<HotSpot> hot_spot_nodes_;
-    FloatLanes eye_{};                     // response_of_eye()
-    std::vector<SeenFlakes> seen_flakes_;  // by species
+    FloatLanes eye_{};                                          // response_of_eye()
+    std::vector<MeanFlakeReflectance> mean_flake_reflectance_;  // by species
 };
 
 }  // namespace nacre::bsdf

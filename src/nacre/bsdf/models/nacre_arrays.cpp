@@ -120,7 +120,7 @@ NacreArrays::HotSpotArrays hot_spot_arrays(const HotSpotTables& tables) {
         out.species.push_back({s.layer, s.diameter_um, s.coupling});
     }
     out.ground = tables.ground();
-    out.closing = tables.closing();
+    out.compensation = tables.compensation();
     return out;
 }
 

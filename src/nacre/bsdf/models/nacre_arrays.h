@@ -65,7 +65,7 @@ struct NacreArrays {
     };
     struct HotSpotArrays {
         std::vector<HotSpotSpecies> species;
-        std::vector<float> ground, closing;  ///< (D, W), or empty
+        std::vector<float> ground, compensation;  ///< (D, W), or empty
     };
     /// Of `nacre`. Under a rough coat `smooth` holds the mean with it, and this is for single flakes.
     std::optional<HotSpotArrays> hot_spot;

@@ -113,7 +113,7 @@ Ray BoundNacre::typical_reflected(std::size_t species, const Ray& i) const {
     return make_ray(wo ? *wo : Vec3f{-i.outside.x, -i.outside.y, i.outside.z});
 }
 
-BoundNacre::SeenFlakes BoundNacre::seen_flakes(std::size_t species) const {
+BoundNacre::MeanFlakeReflectance BoundNacre::mean_flake_reflectance(std::size_t species) const {
     const sparkle::FlakeField& field = tables_->species[species].field;
     const sparkle::DiffractionLobe& lobe = field.lobe();
     const auto directions = static_cast<float>(tables_->species[species].directions);
@@ -138,9 +138,9 @@ BoundNacre::SeenFlakes BoundNacre::seen_flakes(std::size_t species) const {
         return Sent{seen * single_value(i, o, AllOfSpecies(*this, species, i, o, bare)),
                     lobe.slope_density(half.slope2) * half.per_solid_angle * solid_angle_ratio(o)};
     };
-    SeenFlakes seen;
-    for (int a = 0; a <= SeenFlakes::kEyeIntervals; ++a) {
-        const float cosine_i = SeenFlakes::cosine(a, SeenFlakes::kEyeIntervals);
+    MeanFlakeReflectance seen;
+    for (int a = 0; a <= MeanFlakeReflectance::kEyeIntervals; ++a) {
+        const float cosine_i = MeanFlakeReflectance::cosine(a, MeanFlakeReflectance::kEyeIntervals);
         const Ray i = make_ray({std::sqrt(1 - cosine_i * cosine_i), 0, cosine_i});
         const Ray typical = typical_reflected(species, i);
         const Sent bare = sent(i, typical, true), covered = sent(i, typical, false);
@@ -150,7 +150,7 @@ BoundNacre::SeenFlakes BoundNacre::seen_flakes(std::size_t species) const {
         // Outwards from as steep as w_i; beyond the last flakes as there.
         FloatLanes& relative = seen.relative[a];
         const auto fill = [&](int b, int before) {
-            const float cosine = SeenFlakes::cosine(b, SeenFlakes::kIntervals),
+            const float cosine = MeanFlakeReflectance::cosine(b, MeanFlakeReflectance::kIntervals),
                         sine = std::sqrt(1 - cosine * cosine);
             // In directions half around from where a flake that lies flat mirrors w_i.
             constexpr int kAzimuths = 3;
@@ -166,8 +166,8 @@ BoundNacre::SeenFlakes BoundNacre::seen_flakes(std::size_t species) const {
             relative[b] = flakes > 0 ? std::max(light / (flakes * covered_light), kMinSeen)
                                      : relative[before];
         };
-        constexpr int kLast = SeenFlakes::kIntervals;
-        const int steep = a * kLast / SeenFlakes::kEyeIntervals;
+        constexpr int kLast = MeanFlakeReflectance::kIntervals;
+        const int steep = a * kLast / MeanFlakeReflectance::kEyeIntervals;
         for (int b = steep; b >= 0; --b) fill(b, std::min(b + 1, kLast));
         for (int b = steep + 1; b <= kLast; ++b) fill(b, b - 1);
     }
@@ -182,7 +182,7 @@ void BoundNacre::sample_flakes(const Patch& patch, Vec3f wi, std::uint32_t rando
     if (wi.z <= 0) return;
     const PatchFlakes look(*this, patch, wi);
     const Ray i = make_ray(wi);
-    const SeenFlakes::Place place(wi.z, SeenFlakes::kEyeIntervals);
+    const MeanFlakeReflectance::Place place(wi.z, MeanFlakeReflectance::kEyeIntervals);
     std::size_t layer = 0;
     for (std::size_t s = 0; s < tables_->species.size(); ++s) {
         while (layer + 1 < tables_->first_species.size() && tables_->first_species[layer + 1] <= s)
@@ -190,7 +190,7 @@ void BoundNacre::sample_flakes(const Patch& patch, Vec3f wi, std::uint32_t rando
         const FlakeView& view = look[s];
         const NacreSpecies& species = tables_->species[s];
         const FloatLanes depth = depth_there_and_back(layer, i);
-        const SeenFlakes& flakes = seen_flakes_[s];
+        const MeanFlakeReflectance& flakes = mean_flake_reflectance_[s];
         const FloatLanes light = place.in(flakes.light);
         const FloatLanes relative = place.in(flakes.relative);
         // What lies above each of them as if the light came from there: that it comes from elsewhere
@@ -246,7 +246,8 @@ void BoundNacre::sample_flakes(const Patch& patch, Vec3f wi, std::uint32_t rando
                 const auto leaves =
                     (oz2 > 1e-6f) & (z > 0.0f) & (pdf > 0.0f) & (strength > 0.0f) & (n < rounds);
                 const FloatLanes seen =
-                    strength * SeenFlakes::Place(oz, SeenFlakes::kIntervals).in(relative);
+                    strength *
+                    MeanFlakeReflectance::Place(oz, MeanFlakeReflectance::kIntervals).in(relative);
                 if (!any(leaves)) continue;
                 FlakeSamples& samples = list.emplace_back();
                 // A direction for those too that do not leave: whoever draws them looks into tables by it.

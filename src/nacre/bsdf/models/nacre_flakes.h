@@ -53,10 +53,10 @@ class BoundNacre::WithHotSpot {
     FloatLanes multiple(const FloatLanes& multiple) const {
         return pair_ ? pair_->multiple(multiple) : multiple;
     }
-    FloatLanes multiple(const FloatLanes& multiple, const FloatLanes& closing) const {
-        return pair_ ? pair_->multiple(multiple, closing) : multiple;
+    FloatLanes multiple(const FloatLanes& multiple, const FloatLanes& compensation) const {
+        return pair_ ? pair_->multiple(multiple, compensation) : multiple;
     }
-    FloatLanes closing() const { return pair_ ? pair_->closing() : splat(1.0f); }
+    FloatLanes compensation() const { return pair_ ? pair_->compensation() : splat(1.0f); }
     FloatLanes internal_reflection_gain() const {
         return pair_ ? pair_->internal_reflection_gain() : splat(1.0f);
     }

@@ -146,7 +146,7 @@ TEST(NacreFlakes, ArraysOfTheMeanAreThoseOfAll) {
         EXPECT_EQ(mean.masked, all.masked);
         ASSERT_TRUE(mean.hot_spot && all.hot_spot);
         EXPECT_EQ(mean.hot_spot->species[0].coupling, all.hot_spot->species[0].coupling);
-        EXPECT_EQ(mean.hot_spot->closing, all.hot_spot->closing);
+        EXPECT_EQ(mean.hot_spot->compensation, all.hot_spot->compensation);
 
         const NacreArrays without = nacre_arrays(paint, {.hot_spot = false}, ArrayParts::mean);
         EXPECT_FALSE(without.hot_spot);

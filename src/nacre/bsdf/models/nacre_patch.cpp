@@ -76,7 +76,7 @@ BoundNacre::BoundNacre(std::shared_ptr<const Nacre::Tables> tables, const Wavele
         hot_spot_nodes_.emplace_back(node, where());
     eye_ = response_of_eye(wavelengths);
     for (std::size_t s = 0; s < tables_->species.size(); ++s)
-        seen_flakes_.push_back(seen_flakes(s));
+        mean_flake_reflectance_.push_back(mean_flake_reflectance(s));
 }
 
 FloatLanes BoundNacre::mean_value(const Ray& i, const Ray& o) const {

@@ -30,13 +30,12 @@ SmoothTable smooth_table(const solver::SolvedPaint& paint) {
 }
 
 BoundSmoothTable bind_table(const SmoothTable& table, const solver::SolvedPaint& paint,
-                            const std::array<WavelengthPosition, kLanes>& where,
-                            bool single_alone) {
+                            const std::array<WavelengthPosition, kLanes>& where, bool single_only) {
     const int count = paint.medium.wavelength_count();
     int first = 0;
     std::vector<FloatLanes> basis;
     for (const solver::MultipleScattering* tensor : tabulated_tensors(paint)) {
-        if (single_alone && tensor != &paint.rough_single) {
+        if (single_only && tensor != &paint.rough_single) {
             first += tensor->table_rank;
             continue;
         }

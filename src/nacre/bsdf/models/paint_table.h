@@ -19,9 +19,9 @@ std::vector<const solver::MultipleScattering*> tabulated_tensors(const solver::S
 SmoothTable smooth_table(const solver::SolvedPaint& paint);
 
 /// The table of this paint at eight wavelengths.
-/// @param single_alone  only what was scattered once, under a rough clearcoat
+/// @param single_only  only what was scattered once, under a rough clearcoat
 BoundSmoothTable bind_table(const SmoothTable& table, const solver::SolvedPaint& paint,
                             const std::array<WavelengthPosition, kLanes>& where,
-                            bool single_alone = false);
+                            bool single_only = false);
 
 }  // namespace nacre::bsdf

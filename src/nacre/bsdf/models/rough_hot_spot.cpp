@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "nacre/bsdf/models/hot_spot_block.h"
-#include "nacre/bsdf/models/hot_spot_closing.h"
+#include "nacre/bsdf/models/hot_spot_compensation.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/solver/lane_registers.h"
@@ -211,7 +211,7 @@ class RoughHotSpot {
         const solver::PaintMedium& medium = paint_.medium;
         const auto& reflectance = medium.substrate_reflectance;
         if (*std::max_element(reflectance.begin(), reflectance.end()) <= 0) return;
-        ground_alone_.emplace(paint_.multiple_scattering, false);
+        ground_only_.emplace(paint_.multiple_scattering, false);
         for (int a = 0; a < nodes_; ++a) {
             const std::vector<double> through = at_all_wavelengths(
                 [&](const HotSpotBlock& block) { return block.transmittance_of_layers(rays_[a]); });
@@ -233,7 +233,7 @@ class RoughHotSpot {
             for (const HotSpotBlock& block : blocks_) {
                 const HotSpot::Pair pair = block.pair(rays_[i], o);
                 single_gain.push_back(block.single_gain(rays_[i], o, phi, pair));
-                if (ground_alone_) ground_gain.push_back(pair.ground_gain());
+                if (ground_only_) ground_gain.push_back(pair.ground_gain());
             }
         }
         std::vector<double> once(wavelengths_), with_hot_spot(wavelengths_);
@@ -246,14 +246,14 @@ class RoughHotSpot {
         };
         multiply(single_, single_gain);
         double* const multiple = multiple_.at(0, i, j);
-        if (ground_alone_ && multiple) {
-            double* const ground = ground_alone_->at(0, i, j);
+        if (ground_only_ && multiple) {
+            double* const ground = ground_only_->at(0, i, j);
             for (std::size_t w = 0; w < wavelengths_; ++w) {
                 const double value = ground_[i * wavelengths_ + w] * ground_[j * wavelengths_ + w];
                 ground[w] = std::clamp(multiple[w], 0.0, value);
                 multiple[w] -= ground[w];
             }
-            multiply(*ground_alone_, ground_gain);
+            multiply(*ground_only_, ground_gain);
         }
         for (std::size_t w = 0; w < wavelengths_; ++w) {
             once_[pair(i, j) + w] = once_[pair(j, i) + w] = once[w];
@@ -262,14 +262,13 @@ class RoughHotSpot {
     }
 
     void take_from_multiple() {
-        const std::vector<double> scale = closing();
+        const std::vector<double> scale = compensation();
         for (int i = 0; i < nodes_; ++i) {
             for (int j = 0; j <= i; ++j) {
                 for (int l = 0; l < multiple_.orders(); ++l) {
                     double* const to = multiple_.at(l, i, j);
                     if (!to) continue;
-                    const double* const ground =
-                        ground_alone_ ? ground_alone_->at(l, i, j) : nullptr;
+                    const double* const ground = ground_only_ ? ground_only_->at(l, i, j) : nullptr;
                     for (std::size_t w = 0; w < wavelengths_; ++w) {
                         to[w] *= scale[i * wavelengths_ + w] * scale[j * wavelengths_ + w];
                         if (ground) to[w] += ground[w];
@@ -280,7 +279,7 @@ class RoughHotSpot {
     }
 
     // C by node and wavelength.
-    std::vector<double> closing() {
+    std::vector<double> compensation() {
         const auto size = static_cast<std::size_t>(nodes_) * wavelengths_;
         std::vector<double> entered(size), lost(size), scale(size);
         parallel_for(0, nodes_, [&](int a) {
@@ -321,7 +320,7 @@ class RoughHotSpot {
     std::size_t wavelengths_;
     int nodes_;
     NodeValues single_, multiple_;
-    std::optional<NodeValues> ground_alone_;  // what the ground alone has scattered
+    std::optional<NodeValues> ground_only_;  // what the ground alone has scattered
     Azimuths azimuths_;
     std::vector<HotSpotBlock> blocks_;
     std::vector<Ray> rays_;

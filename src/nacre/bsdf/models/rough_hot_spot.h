@@ -21,7 +21,7 @@ namespace nacre::bsdf {
 // through and tau_a that along the rays refracted by a smooth one; it gains in the same way. What both gain
 // is missing from what is scattered again: of all that enters the coat, less what leaves after it was
 // scattered once, the fraction that is left scales the albedo of multiple scattering, by C(i) C(o)
-// as under a smooth coat (hot_spot_closing.h). Albedos are those of the tables, so that no light is
+// as under a smooth coat (hot_spot_compensation.h). Albedos are those of the tables, so that no light is
 // lost or gained where nothing absorbs.
 
 /// The same paint with the hot spot in its tables of single and multiple scattering. Under a smooth

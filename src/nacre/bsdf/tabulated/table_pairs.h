@@ -26,7 +26,7 @@ void set_pairs(RawBrdfTable& table, const char* what, const Progress& progress,
         for (std::size_t step = first; step < last && !counter.stopped(); ++step) {
             const std::size_t i = n - 1 - step;  // long rows first
             auto set = row_of(static_cast<int>(i));
-            for (std::size_t o = 0; o <= i && counter.ask(); ++o) {
+            for (std::size_t o = 0; o <= i && counter.keep_going(); ++o) {
                 float* out = table.values.data() + (i * n + o) * line;
                 set(static_cast<int>(o), out);
                 if (o != i) std::copy_n(out, line, table.values.data() + (o * n + i) * line);

@@ -18,7 +18,7 @@ namespace {
 
 using test::metallic;
 
-const Wavelengths kBetweenTheSolved = {418, 456, 493, 531, 568, 606, 643, 681};
+const Wavelengths kUnsolvedAngles = {418, 456, 493, 531, 568, 606, 643, 681};
 
 const spectra::Spectrum kGold({400.0, 500.0, 700.0}, {0.3, 0.5, 0.9});
 
@@ -50,7 +50,7 @@ FloatLanes expected(const solver::SolvedPaint& paint, double theta_i, double the
     return make_lanes([&](int lane) {
         double sum = 0;
         for (int j = 0; j < 3; ++j) {
-            sum += rgb[j] * spectra::linear_rec709_basis()[j](kBetweenTheSolved[lane]);
+            sum += rgb[j] * spectra::linear_rec709_basis()[j](kUnsolvedAngles[lane]);
         }
         return static_cast<float>(std::max(0.0, sum));
     });
@@ -60,7 +60,7 @@ FloatLanes expected(const solver::SolvedPaint& paint, double theta_i, double the
 template <class Table>
 double worst_error(const solver::SolvedPaint& paint, std::shared_ptr<const Table> table,
                    double step_deg = 4.3) {
-    const auto bound = Tabulated(table).bind(kBetweenTheSolved);
+    const auto bound = Tabulated(table).bind(kUnsolvedAngles);
     double worst = 0;
     for (const double theta_i : {0.1, 20.0, 45.0, 60.0, 75.0, 85.0, 89.0}) {
         double peak = 0, error = 0;
@@ -108,17 +108,17 @@ TEST(Tabulated, FollowsARoughInterface) {
 TEST(Tabulated, GreyIsTheSameAtEveryWavelength) {
     const Tables model(metallic(0.2, 0.6), {64, 32});
     const FloatLanes f =
-        Tabulated(model.raw).bind(kBetweenTheSolved)->eval(direction(45, 0), direction(40, 170));
+        Tabulated(model.raw).bind(kUnsolvedAngles)->eval(direction(45, 0), direction(40, 170));
     for (int lane = 1; lane < kLanes; ++lane) EXPECT_NEAR(f[lane], f[0], 1e-5 * f[0]);
 }
 
 TEST(Tabulated, IsReciprocalAndNeverNegative) {
-    expect_reciprocal(*Tabulated(gold().compressed).bind(kBetweenTheSolved), 2000);
-    expect_reciprocal(*Tabulated(gold().raw).bind(kBetweenTheSolved), 2000);
+    expect_reciprocal(*Tabulated(gold().compressed).bind(kUnsolvedAngles), 2000);
+    expect_reciprocal(*Tabulated(gold().raw).bind(kUnsolvedAngles), 2000);
 }
 
 TEST(Tabulated, IsBlackBelowTheHorizon) {
-    expect_black_below_the_horizon(*Tabulated(gold().raw).bind(kBetweenTheSolved));
+    expect_black_below_the_horizon(*Tabulated(gold().raw).bind(kUnsolvedAngles));
 }
 
 TEST(Tabulated, IsFiniteAtTheNormalAndAtTheHorizon) {
@@ -128,7 +128,7 @@ TEST(Tabulated, IsFiniteAtTheNormalAndAtTheHorizon) {
     satin.clearcoat = paint::Clearcoat{40, 0.0, 0.1};
     for (const paint::Recipe& recipe : {metallic(0.1, kGold), bare, satin}) {
         const Tables model(recipe, {32, 16});
-        const auto bound = Tabulated(model.compressed).bind(kBetweenTheSolved);
+        const auto bound = Tabulated(model.compressed).bind(kUnsolvedAngles);
         const Vec3f edges[] = {{0, 0, 1},       {1e-30f, 0, 1}, {0, -1e-12f, 1},    {1, 0, 1e-20f},
                                {-1, 0, 1e-20f}, {0, 1, 1e-6f},  {0.6f, 0.8f, 1e-4f}};
         for (const Vec3f& a : edges) {
@@ -151,7 +151,7 @@ TEST(Tabulated, IsFiniteAtTheNormalAndAtTheHorizon) {
 }
 
 TEST(Tabulated, SampleReportsItsOwnDensityAndWeight) {
-    const auto bound = Tabulated(gold().compressed).bind(kBetweenTheSolved);
+    const auto bound = Tabulated(gold().compressed).bind(kUnsolvedAngles);
     const Drawn drawn = expect_own_density_and_weight(*bound, 4000, 1e-4f);
     EXPECT_GT(drawn.specular, 100);
     EXPECT_GT(drawn.others, 2000);
@@ -166,7 +166,7 @@ TEST(Tabulated, SamplesFollowTheDensity) {
         diffuse(metallic(0.4, kGold), {64, 48});
     int tests = 0;
     for (const Tables* model : {&of_default_size, &rough, &diffuse}) {
-        const auto bound = Tabulated(model->raw).bind(kBetweenTheSolved);
+        const auto bound = Tabulated(model->raw).bind(kUnsolvedAngles);
         for (const double theta_i : {0.5, 35.0, 65.0, 85.0}) {
             // One-sided, twelve tests with fixed seeds: 3.5 deviations are one false alarm in 400.
             EXPECT_LT(chi_square_z_score(*bound, direction(theta_i, 0), 11 + tests, 100000), 3.5)
@@ -180,9 +180,9 @@ TEST(Tabulated, SamplesFollowTheDensity) {
 TEST(Tabulated, AlbedoIsTheMeanWeightAndThatOfTheSolvedPaint) {
     // Grey, so that colours and spectra are the same.
     const Tables model(metallic(0.1, 0.8), {128, 64});
-    const auto bound = Tabulated(model.compressed).bind(kBetweenTheSolved);
-    const auto spectral = Microflake(std::make_shared<const solver::SolvedPaint>(model.paint))
-                              .bind(kBetweenTheSolved);
+    const auto bound = Tabulated(model.compressed).bind(kUnsolvedAngles);
+    const auto spectral =
+        Microflake(std::make_shared<const solver::SolvedPaint>(model.paint)).bind(kUnsolvedAngles);
     for (const double theta_i : {0.5, 40.0, 70.0, 86.0}) {
         const auto [mean, error] = mean_weight(*bound, direction(theta_i, 0), 4, 40000, 9);
         const double albedo = bound->albedo(direction(theta_i, 0))[4];

@@ -94,7 +94,7 @@ void require_discs(const paint::Recipe& recipe, const Tile& tile);
 ///
 /// @param film_counts  DiscFilms::count() by species
 /// @throws DomainError, Error as require_discs()
-/// @throws Stopped if `work`, which is asked where it is not null, says so
+/// @throws Stopped if `work`, which may be null, asks to stop
 std::vector<Disc> draw_discs(const paint::Recipe& recipe, const Tile& tile,
                              const std::vector<int>& film_counts, std::uint64_t seed,
                              SharedProgress* work = nullptr);

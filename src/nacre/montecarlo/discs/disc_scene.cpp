@@ -36,7 +36,8 @@ DiscScene::DiscScene(std::vector<Disc> discs, const Tile& tile, SharedProgress* 
     if (work) {
         rtcSetSceneProgressMonitorFunction(
             scene_.get(),
-            [](void* asked, double) { return static_cast<SharedProgress*>(asked)->ask(); }, work);
+            [](void* asked, double) { return static_cast<SharedProgress*>(asked)->keep_going(); },
+            work);
     }
     if (!discs_.empty()) {
         RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_ORIENTED_DISC_POINT);

@@ -58,9 +58,9 @@ class DiscScene {
 /// light and the detector past all other flakes. Its moments over the flakes of a tile.
 struct Visibility {
     double lit = 0;             ///< mean fraction of a flake that is lit
-    double lit_and_seen = 0;    ///< E[v]
+    double bidirectional = 0;   ///< E[v]
     double mean_square = 0;     ///< E[v^2], which sets the contrast of whole flakes
-    double standard_error = 0;  ///< of lit_and_seen
+    double standard_error = 0;  ///< of bidirectional
 };
 
 /// Estimated from two random points on each flake, the mean product of whose visibilities is

@@ -102,16 +102,16 @@ TEST(Visibility, HotSpotFollowsTheOverlapOfTheTwoPaths) {
     const auto scene = scene_of(test::opaque(2, 15, 20), 4000, 3);
     const auto v =
         flake_visibility(scene, test::direction(inside, 0), test::direction(inside, 180), 7);
-    EXPECT_NEAR(v.lit_and_seen, 0.397, 0.01);
+    EXPECT_NEAR(v.bidirectional, 0.397, 0.01);
     const double tau = 4 * kAcross;
-    EXPECT_GT(v.lit_and_seen, 1.5 * (1 - std::exp(-tau)) / tau);
+    EXPECT_GT(v.bidirectional, 1.5 * (1 - std::exp(-tau)) / tau);
     EXPECT_NEAR((1 - std::exp(-tau)) / tau, 0.247, 1e-3);
     for (const double diameter : {4.0, 20.0, 60.0}) {
         const auto s = scene_of(test::opaque(2, 15, diameter), 150 * diameter, 4);
         const auto found = flake_visibility(s, test::direction(20, 0), test::direction(20, 180), 8);
-        EXPECT_NEAR(found.lit_and_seen,
+        EXPECT_NEAR(found.bidirectional,
                     hot_spot(2, 2 * 15 * std::tan(test::degrees(20)) / diameter),
-                    0.02 * found.lit_and_seen)
+                    0.02 * found.bidirectional)
             << diameter;
     }
 }

@@ -8,12 +8,12 @@
 #include "nacre/io/hdf5_file.h"
 #include "nacre/render/builtin_scenes.h"
 #include "nacre/render/render.h"
-#include "nacre/render/share_file.h"
+#include "nacre/render/shard_file.h"
 #include "nacre/testing/errors.h"
 #include "nacre/testing/files.h"
 #include "nacre/testing/render.h"
 
-// Shares of a picture's samples: their sums, and the files that hold them.
+// Shards of a picture's samples: their sums, and the files that hold them.
 
 namespace nacre::render {
 namespace {
@@ -39,15 +39,15 @@ constexpr RenderOptions kAll{.width = 20,
                              .noise = true,
                              .spectral_bins = 7};
 
-PictureShare share_of(const Share& share, const RenderOptions& options = kAll) {
+PictureShard shard_of(const Shard& shard, const RenderOptions& options = kAll) {
     return {options,
-            share,
-            render_share(speckled_ball(), options, share),
+            shard,
+            render_shard(speckled_ball(), options, shard),
             {{"nacre:scene", "ball"}},
             "0123"};
 }
 
-TEST(Share, AllTogetherAreThePictureBitForBit) {
+TEST(Shard, AllTogetherAreThePictureBitForBit) {
     const RenderResult whole = render(speckled_ball(), kAll);
     ASSERT_TRUE(whole.noise);
     ASSERT_GT(*std::ranges::max_element(whole.sparkle), 0);
@@ -55,7 +55,7 @@ TEST(Share, AllTogetherAreThePictureBitForBit) {
         RenderSums sums(kAll);
         int samples = 0;
         for (int number = count; number >= 1; --number) {
-            const RenderSums one = render_share(speckled_ball(), kAll, {number, count});
+            const RenderSums one = render_shard(speckled_ball(), kAll, {number, count});
             EXPECT_EQ(one.picture.passes.count, samples_of(kAll, {number, count}));
             EXPECT_NEAR(one.picture.passes.count, 13.0 / count, 1);
             samples += one.picture.passes.count;
@@ -75,12 +75,12 @@ TEST(Share, AllTogetherAreThePictureBitForBit) {
     }
 }
 
-TEST(Share, IsRefusedWhereThereIsNone) {
-    for (const Share& share : {Share{0, 2}, Share{3, 2}, Share{1, 0}, Share{1, 14}}) {
-        EXPECT_THAT(message_of<DomainError>([&] { share_of(share); }),
+TEST(Shard, IsRefusedWhereThereIsNone) {
+    for (const Shard& shard : {Shard{0, 2}, Shard{3, 2}, Shard{1, 0}, Shard{1, 14}}) {
+        EXPECT_THAT(message_of<DomainError>([&] { shard_of(shard); }),
                     HasSubstr("with N from 1 to the 13 samples of a pixel"));
     }
-    EXPECT_THROW(render_share(speckled_ball(), kAll, {1, 2}, [](double) { return false; }),
+    EXPECT_THROW(render_shard(speckled_ball(), kAll, {1, 2}, [](double) { return false; }),
                  Stopped);
 }
 
@@ -96,49 +96,49 @@ TEST(Render, TakesLightThatCannotBeSummedAsBlack) {
     EXPECT_LT(*std::ranges::max_element(picture.rgb), 1e10);
 }
 
-TEST(ShareFile, GivesBackTheSameShare) {
+TEST(ShardFile, GivesBackTheSameShard) {
     RenderOptions plain = kAll;
     plain.sparkle = plain.noise = false;
     plain.spectral_bins = 0;
     plain.footprint_pixels = 0.1;
     plain.seed = ~std::uint64_t{0};
     for (const RenderOptions& options : {kAll, plain}) {
-        const PictureShare share = share_of({2, 3}, options);
-        const std::string bytes = share_bytes(share);
-        EXPECT_EQ(parse_share(bytes, "s"), share);
-        EXPECT_EQ(io::kind_of_bytes(bytes), io::FileKind::picture_share);
+        const PictureShard shard = shard_of({2, 3}, options);
+        const std::string bytes = shard_bytes(shard);
+        EXPECT_EQ(parse_shard(bytes, "s"), shard);
+        EXPECT_EQ(io::kind_of_bytes(bytes), io::FileKind::picture_shard);
     }
     const nacre::test::TempFolder folder;
-    const PictureShare share = share_of({1, 3});
-    write_share(folder / "s.h5", share);
-    EXPECT_EQ(read_share(folder / "s.h5"), share);
+    const PictureShard shard = shard_of({1, 3});
+    write_shard(folder / "s.h5", shard);
+    EXPECT_EQ(read_shard(folder / "s.h5"), shard);
 }
 
-TEST(ShareFile, RefusesWhatIsNone) {
-    const PictureShare share = share_of({1, 2});
-    const std::string bytes = share_bytes(share);
+TEST(ShardFile, RefusesWhatIsNone) {
+    const PictureShard shard = shard_of({1, 2});
+    const std::string bytes = shard_bytes(shard);
     const auto refused = [](const std::string& text) {
-        return message_of<InputError>([&] { parse_share(text, "s.h5"); });
+        return message_of<InputError>([&] { parse_shard(text, "s.h5"); });
     };
-    EXPECT_THAT(refused("name = \"x\"\n"), HasSubstr("s.h5: is a recipe; a share of a picture"));
+    EXPECT_THAT(refused("name = \"x\"\n"), HasSubstr("s.h5: is a recipe; a shard of a picture"));
     EXPECT_THAT(refused(bytes.substr(0, bytes.size() / 2)), HasSubstr("is cut short"));
     std::string damaged = bytes;
     damaged[damaged.size() / 2] ^= 1;
     EXPECT_THAT(refused(damaged), HasSubstr("its checksum does not fit"));
-    PictureShare other = share;
+    PictureShard other = shard;
     other.sums.picture.passes.count = 3;
-    EXPECT_THAT(refused(share_bytes(other)), HasSubstr("the passes are not those of the share"));
-    other = share;
+    EXPECT_THAT(refused(shard_bytes(other)), HasSubstr("the passes are not those of the shard"));
+    other = shard;
     other.options.width = 21;
-    EXPECT_THAT(refused(share_bytes(other)), HasSubstr("the sizes of the arrays are not those"));
-    other = share;
+    EXPECT_THAT(refused(shard_bytes(other)), HasSubstr("the sizes of the arrays are not those"));
+    other = shard;
     other.options.width = other.options.height = 1000;  // of 0.4 GB
-    EXPECT_THAT(refused(share_bytes(other)), HasSubstr("the sizes of the arrays are not those"));
-    other = share;
-    other.share.number = 3;
-    EXPECT_THAT(refused(share_bytes(other)), HasSubstr("shard = 3/2"));
-    const io::SealedFormat format = {io::kPictureShareName, kShareFormatVersion,
-                                     "share of a picture"};
+    EXPECT_THAT(refused(shard_bytes(other)), HasSubstr("the sizes of the arrays are not those"));
+    other = shard;
+    other.shard.number = 3;
+    EXPECT_THAT(refused(shard_bytes(other)), HasSubstr("shard = 3/2"));
+    const io::SealedFormat format = {io::kPictureShardName, kShardFormatVersion,
+                                     "shard of a picture"};
     EXPECT_THAT(refused(io::sealed_bytes(format, [](hid_t) {})), HasSubstr("that can be used"));
 }
 

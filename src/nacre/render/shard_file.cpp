@@ -1,4 +1,4 @@
-#include "nacre/render/share_file.h"
+#include "nacre/render/shard_file.h"
 
 #include <fmt/format.h>
 
@@ -22,9 +22,9 @@ namespace {
 using io::Hdf5Handle;
 using io::Hdf5Shape;
 
-constexpr io::SealedFormat kShareFormat = {io::kPictureShareName, kShareFormatVersion,
-                                           "share of a picture"};
-constexpr std::size_t kMaxSharePixels = std::size_t{1} << 27;  // as check(RenderOptions)
+constexpr io::SealedFormat kShardFormat = {io::kPictureShardName, kShardFormatVersion,
+                                           "shard of a picture"};
+constexpr std::size_t kMaxShardPixels = std::size_t{1} << 27;  // as check(RenderOptions)
 constexpr std::size_t kMaxMetadataBytes = std::size_t{1} << 20;
 
 /// Calls visit(key, member) for every option.
@@ -126,7 +126,7 @@ void write_sums(hid_t file, const char* name, const FilmSums& sums, const char* 
 void read_sums(hid_t file, const char* name, int passes, FilmSums& sums) {
     const Hdf5Handle group(H5Gopen2(file, name, H5P_DEFAULT), fmt::format("open group {}", name));
     sums.passes.count = io::read_int_attribute(group, "passes");
-    io::require_content(sums.passes.count == passes, "the passes are not those of the share");
+    io::require_content(sums.passes.count == passes, "the passes are not those of the shard");
     for_each_array(
         sums, [&](const char* array, auto& values, const Hdf5Shape& of_values, const char*) {
             using W = Words<std::remove_cvref_t<decltype(values)>>;
@@ -148,8 +148,8 @@ void read_sums(hid_t file, const char* name, int passes, FilmSums& sums) {
 }
 
 /// Names of files may be no UTF-8.
-std::string metadata_text(const PictureShare& share) {
-    return nlohmann::json(share.metadata)
+std::string metadata_text(const PictureShard& shard) {
+    return nlohmann::json(shard.metadata)
         .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
@@ -162,108 +162,108 @@ std::map<std::string, std::string> read_metadata(hid_t file) {
     }
 }
 
-PictureShare read_contents(hid_t file) {
+PictureShard read_contents(hid_t file) {
     const std::string made_by = io::read_text_attribute(file, "nacre_version");
     if (made_by != version()) {
         throw Error(
             fmt::format("nacre_version = {}, but this is Nacre {}, whose samples are others",
                         made_by, version()));
     }
-    PictureShare share;
+    PictureShard shard;
     {
         const Hdf5Handle group(H5Gopen2(file, "options", H5P_DEFAULT), "open group options");
-        for_each_option(share.options,
+        for_each_option(shard.options,
                         [&](const char* key, auto& value) { read_option(group, key, value); });
     }
-    share.share = {io::read_int_attribute(file, "number"), io::read_int_attribute(file, "count")};
-    check(share.options, share.share);
-    share.scene_sha256 = io::read_text_attribute(file, "scene_sha256");
-    share.metadata = read_metadata(file);
+    shard.shard = {io::read_int_attribute(file, "number"), io::read_int_attribute(file, "count")};
+    check(shard.options, shard.shard);
+    shard.scene_sha256 = io::read_text_attribute(file, "scene_sha256");
+    shard.metadata = read_metadata(file);
     // A file of a few bytes must not ask for gigabytes.
-    const Hdf5Shape light = {static_cast<hsize_t>(share.options.height),
-                             static_cast<hsize_t>(share.options.width), 3, 2};
+    const Hdf5Shape light = {static_cast<hsize_t>(shard.options.height),
+                             static_cast<hsize_t>(shard.options.width), 3, 2};
     io::require_content(
-        io::array_shape(file, "picture/light", light.size(), 6 * kMaxSharePixels) == light,
+        io::array_shape(file, "picture/light", light.size(), 6 * kMaxShardPixels) == light,
         "the sizes of the arrays are not those of the picture");
-    share.sums = RenderSums(share.options);
-    share.sums.seconds = io::read_double_attribute(file, "seconds");
-    io::require_content(std::isfinite(share.sums.seconds) && share.sums.seconds >= 0,
+    shard.sums = RenderSums(shard.options);
+    shard.sums.seconds = io::read_double_attribute(file, "seconds");
+    io::require_content(std::isfinite(shard.sums.seconds) && shard.sums.seconds >= 0,
                         "the seconds are none");
-    const int passes = samples_of(share.options, share.share);
-    read_sums(file, "picture", passes, share.sums.picture);
-    if (share.sums.probe) read_sums(file, "probe", passes, *share.sums.probe);
-    return share;
+    const int passes = samples_of(shard.options, shard.shard);
+    read_sums(file, "picture", passes, shard.sums.picture);
+    if (shard.sums.probe) read_sums(file, "probe", passes, *shard.sums.probe);
+    return shard;
 }
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> identity_of(const PictureShare& share) {
+std::vector<std::pair<std::string, std::string>> identity_of(const PictureShard& shard) {
     std::vector<std::pair<std::string, std::string>> all;
-    for_each_option(share.options, [&](const char* key, const auto& value) {
+    for_each_option(shard.options, [&](const char* key, const auto& value) {
         all.emplace_back(key, fmt::format("{}", value));
     });
-    all.emplace_back("count of shares", fmt::format("{}", share.share.count));
-    for (const auto& [key, value] : share.metadata) {
+    all.emplace_back("count of shards", fmt::format("{}", shard.shard.count));
+    for (const auto& [key, value] : shard.metadata) {
         if (key != "nacre:scene") all.emplace_back(key, value);  // a file may have several names
     }
     // They repeat the specimen among others.
     std::stable_partition(all.begin(), all.end(), [](const auto& one) {
         return !one.first.starts_with("nacre:model_settings:");
     });
-    all.emplace_back("scene_sha256", share.scene_sha256);
+    all.emplace_back("scene_sha256", shard.scene_sha256);
     return all;
 }
 
-std::map<std::string, std::string> picture_metadata(const PictureShare& share) {
-    std::map<std::string, std::string> all = share.metadata;
-    all["nacre:depth"] = fmt::format("{}", share.options.max_depth);
-    all["nacre:footprint_pixels"] = fmt::format("{}", share.options.footprint_pixels);
-    all["nacre:scene_sha256"] = share.scene_sha256;
+std::map<std::string, std::string> picture_metadata(const PictureShard& shard) {
+    std::map<std::string, std::string> all = shard.metadata;
+    all["nacre:depth"] = fmt::format("{}", shard.options.max_depth);
+    all["nacre:footprint_pixels"] = fmt::format("{}", shard.options.footprint_pixels);
+    all["nacre:scene_sha256"] = shard.scene_sha256;
     return all;
 }
 
-std::string share_bytes(const PictureShare& share) {
-    return io::sealed_bytes(kShareFormat, [&](hid_t file) {
-        io::write_attribute(file, "scene_sha256", share.scene_sha256);
-        io::write_attribute(file, "number", share.share.number);
-        io::write_attribute(file, "count", share.share.count);
-        io::write_attribute(file, "seconds", share.sums.seconds);
-        io::write_text(file, "metadata", metadata_text(share),
+std::string shard_bytes(const PictureShard& shard) {
+    return io::sealed_bytes(kShardFormat, [&](hid_t file) {
+        io::write_attribute(file, "scene_sha256", shard.scene_sha256);
+        io::write_attribute(file, "number", shard.shard.number);
+        io::write_attribute(file, "count", shard.shard.count);
+        io::write_attribute(file, "seconds", shard.sums.seconds);
+        io::write_text(file, "metadata", metadata_text(shard),
                        "what the picture's file will say, JSON");
         {
             const Hdf5Handle group = io::write_group(file, "options", "of the whole picture");
-            for_each_option(share.options, [&](const char* key, const auto& value) {
+            for_each_option(shard.options, [&](const char* key, const auto& value) {
                 write_option(group, key, value);
             });
         }
-        write_sums(file, "picture", share.sums.picture,
-                   "sums over this share's paths of each pixel, and over its passes");
-        if (share.sums.probe) {
-            write_sums(file, "probe", *share.sums.probe,
+        write_sums(file, "picture", shard.sums.picture,
+                   "sums over this shard's paths of each pixel, and over its passes");
+        if (shard.sums.probe) {
+            write_sums(file, "probe", *shard.sums.probe,
                        "the same of the pixels that are rendered twice for the noise");
         }
     });
 }
 
-void write_share(const std::filesystem::path& path, const PictureShare& share) {
-    write_file_atomically(path, share_bytes(share));
+void write_shard(const std::filesystem::path& path, const PictureShard& shard) {
+    write_file_atomically(path, shard_bytes(shard));
 }
 
-PictureShare parse_share(std::string_view bytes, const std::string& name) {
+PictureShard parse_shard(std::string_view bytes, const std::string& name) {
     const io::FileKind kind = io::file_kind(bytes);
-    if (kind != io::FileKind::picture_share) {
+    if (kind != io::FileKind::picture_shard) {
         throw InputError(
-            fmt::format("{}: is {}; a share of a picture (nacre render --shard) is "
+            fmt::format("{}: is {}; a shard of a picture (nacre render --shard) is "
                         "needed here",
                         name, io::words_for(kind)));
     }
-    PictureShare share;
-    io::read_sealed(kShareFormat, bytes, name, [&](hid_t file) { share = read_contents(file); });
-    return share;
+    PictureShard shard;
+    io::read_sealed(kShardFormat, bytes, name, [&](hid_t file) { shard = read_contents(file); });
+    return shard;
 }
 
-PictureShare read_share(const std::filesystem::path& path) {
-    return parse_share(read_file(path, kMaxShareBytes), path.string());
+PictureShard read_shard(const std::filesystem::path& path) {
+    return parse_shard(read_file(path, kMaxShardBytes), path.string());
 }
 
 }  // namespace nacre::render

@@ -23,9 +23,10 @@ namespace nacre::bsdf {
 // [sinkhorn-knopp-1967; knight-2014].
 
 /// C by [direction][wavelength], as the other direction tables.
-/// @param tables  all but the closing
+/// @param tables  all but the compensation
 /// @throws Error if the balancing does not converge
-std::vector<float> closing_factors(const solver::SolvedPaint& paint, const HotSpotTables& tables);
+std::vector<float> compensation_factors(const solver::SolvedPaint& paint,
+                                        const HotSpotTables& tables);
 
 // Where flakes lean it matters which part of f_m it is taken from. What was scattered again among flakes
 // and left when it first met the interface has less. What the interface had sent back has more: it came
@@ -40,7 +41,7 @@ std::vector<float> closing_factors(const solver::SolvedPaint& paint, const HotSp
 /// The gain of light that the interface had sent back: the product of two directions, by
 /// [direction][wavelength]. The square of one is the gain of single scattering between it and the critical
 /// angle on the other side.
-/// @param tables  all but the closing; of a smooth interface
+/// @param tables  all but the compensation; of a smooth interface
 std::vector<float> internal_reflection_gains(const solver::SolvedPaint& paint,
                                              const HotSpotTables& tables);
 

@@ -10,11 +10,11 @@
 
 #include "nacre/render/render.h"
 
-// Shares of a picture's samples as HDF5, until all of them make the picture.
+// Shards of a picture's samples as HDF5, until all of them make the picture.
 //
 //   (user block)             512 bytes of text: what this is, version, size and SHA-256 of the rest
 //   /                        attributes: format, format_version, nacre_version, scene_sha256, and
-//                            number, count and seconds of the share
+//                            number, count and seconds of the shard
 //   /metadata                what the picture's file will say, JSON
 //   /options                 attributes: RenderOptions of the whole picture
 //   /picture                 FilmSums: light, albedo, sparkle, spectral, normal, met, invalid by
@@ -26,36 +26,36 @@
 
 namespace nacre::render {
 
-inline constexpr int kShareFormatVersion = 1;
-inline constexpr std::size_t kMaxShareBytes = std::size_t{1} << 33;
+inline constexpr int kShardFormatVersion = 1;
+inline constexpr std::size_t kMaxShardBytes = std::size_t{1} << 33;
 
-struct PictureShare {
+struct PictureShard {
     RenderOptions options;  ///< of the whole picture
-    Share share;
+    Shard shard;
     RenderSums sums;
     /// What the picture's file will say besides: picture_metadata().
     std::map<std::string, std::string> metadata;
-    /// Of all that the picture shows: shares with another one are of another picture.
+    /// Of all that the picture shows: shards with another one are of another picture.
     std::string scene_sha256;
 
-    friend bool operator==(const PictureShare&, const PictureShare&) = default;
+    friend bool operator==(const PictureShard&, const PictureShard&) = default;
 };
 
-/// What shares of one picture have in common, as text by name, in the order of importance.
-std::vector<std::pair<std::string, std::string>> identity_of(const PictureShare& share);
+/// What shards of one picture have in common, as text by name, in the order of importance.
+std::vector<std::pair<std::string, std::string>> identity_of(const PictureShard& shard);
 
-/// What the file of the picture that it is a share of says about how that was made.
-std::map<std::string, std::string> picture_metadata(const PictureShare& share);
+/// What the file of the picture that it is a shard of says about how that was made.
+std::map<std::string, std::string> picture_metadata(const PictureShard& shard);
 
-std::string share_bytes(const PictureShare& share);
+std::string shard_bytes(const PictureShard& shard);
 /// Writes it, whole or not at all.
 /// @throws Error if the file cannot be written
-void write_share(const std::filesystem::path& path, const PictureShare& share);
+void write_shard(const std::filesystem::path& path, const PictureShard& shard);
 
 /// @param name  for messages
 /// @throws InputError naming the file if it is cut short, altered, of another kind or version, or
 ///         of another version of Nacre, whose samples are others; Error as check()
-PictureShare parse_share(std::string_view bytes, const std::string& name);
-PictureShare read_share(const std::filesystem::path& path);
+PictureShard parse_shard(std::string_view bytes, const std::string& name);
+PictureShard read_shard(const std::filesystem::path& path);
 
 }  // namespace nacre::render

@@ -1,4 +1,4 @@
-#include "nacre/bsdf/models/hot_spot_closing.h"
+#include "nacre/bsdf/models/hot_spot_compensation.h"
 
 #include <fmt/format.h>
 
@@ -70,7 +70,8 @@ solver::MultipleScattering order_0_of(const solver::MultipleScattering& all) {
 
 }  // namespace
 
-std::vector<float> closing_factors(const solver::SolvedPaint& paint, const HotSpotTables& tables) {
+std::vector<float> compensation_factors(const solver::SolvedPaint& paint,
+                                        const HotSpotTables& tables) {
     const solver::MultipleScattering& multiple = paint.multiple_scattering;
     const int count = paint.medium.wavelength_count(), rank = multiple.rank();
     const int n = static_cast<int>(multiple.exit_angle.size());
