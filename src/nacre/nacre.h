@@ -275,7 +275,8 @@ SparkleReadings measure_sparkle(const bsdf::Bsdf& look, const SparkleSettings& s
 
 namespace io {
 struct RecipeText;  // io/recipe_text.h
-}
+struct TypedFile;   // io/file_kind.h
+}  // namespace io
 
 using FitSettings = fit::FitOptions;
 struct Match;
@@ -302,9 +303,6 @@ class Paint;
 /// no model saw it, and such a model would have no part in the fit at all.
 /// @throws SettingError naming the model, the standard and the models that are possible then
 void require_part_in_fit(const Model& model, const Paint& standard);
-
-Paint open_text(std::string bytes, const std::string& name, const References& references,
-                const std::string& sample);
 
 class Paint {
  public:
@@ -478,8 +476,7 @@ class Paint {
 
  private:
     struct State;
-    friend Paint open_text(std::string bytes, const std::string& name, const References& references,
-                           const std::string& sample);
+    friend Paint open_typed(io::TypedFile file, const std::string& sample);
     explicit Paint(std::shared_ptr<const State> state) : state_(std::move(state)) {}
 
     std::shared_ptr<const State> state_;  // never null
@@ -527,5 +524,8 @@ Paint open(const std::filesystem::path& path, const References& references);
 /// @throws InputError as open()
 Paint open_text(std::string bytes, const std::string& name, const References& references = {},
                 const std::string& sample = {});
+
+/// The same from a file that has been told apart (io::typed_file()).
+Paint open_typed(io::TypedFile file, const std::string& sample = {});
 
 }  // namespace nacre

@@ -51,6 +51,9 @@ struct ScenePaints {
     std::optional<Model> model = {};
     /// Unless 0, in place of the model's own, also where that is none.
     std::uint64_t specimen = 0;
+    /// Those that need not be read and solved again where a material names their file: Scene::paints() of
+    /// another picture of the scene.
+    std::vector<Paint> known = {};
 };
 
 struct Picture {

@@ -34,12 +34,6 @@ bool is_same_file(const fs::path& a, const fs::path& b) {
            fs::weakly_canonical(fs::absolute(b, ec), ec);
 }
 
-/// An input and how messages name it.
-struct Input {
-    fs::path path;
-    std::string text;
-};
-
 std::optional<fs::path> file_named(const std::string& text) {
     std::error_code ec;
     if (const io::SampleName name = io::split_sample_name(text); !name.sample.empty()) {
@@ -54,21 +48,30 @@ std::optional<fs::path> file_named(const std::string& text) {
     return std::nullopt;
 }
 
-/// Those that exist, and what they name.
+/// A file that an input names, and what it names in turn, if it is a mesh.
+/// @param references  those of the input
+void add_named(const fs::path& named, const std::string& input, const References& references,
+               std::vector<Input>& inputs) {
+    const auto add = [&](const fs::path& path) {
+        inputs.push_back({path, fmt::format("'{}', which '{}' names", path.string(), input)});
+    };
+    std::error_code ec;
+    if (!fs::is_regular_file(named, ec)) return;
+    add(named);
+    for (const fs::path& path : io::files_named_by(named, references.beside(named))) add(path);
+}
+
+/// Those that exist, and what those among them name that are meshes.
 std::vector<Input> existing_inputs(const CommandFiles& files) {
     std::vector<Input> inputs;
     for (const std::string& text : files.inputs) {
         const auto path = file_named(text);
         if (!path) continue;
         inputs.push_back({*path, fmt::format("'{}'", path->string())});
-        if (is_stream(*path)) {
-            continue;  // an open file: to look into it would take its bytes from the command
-        }
         const References references =
             files.untrusted ? References::of_untrusted_file(*path) : References::of_file(*path);
         for (const fs::path& named : io::files_named_by(*path, references)) {
-            inputs.push_back(
-                {named, fmt::format("'{}', which '{}' names", named.string(), path->string())});
+            add_named(named, path->string(), references, inputs);
         }
     }
     return inputs;
@@ -207,7 +210,8 @@ CommandFiles files_of(const CommonOptions& options, std::vector<std::string> inp
     return {.inputs = std::move(inputs),
             .files = {{"--output", options.output, false, format}, {"--report", options.report}},
             .untrusted = options.untrusted,
-            .prints = options.output.empty()};
+            .prints = options.output.empty(),
+            .in_use = options.in_use};
 }
 
 void check_files(const CommandFiles& files) {
@@ -224,8 +228,11 @@ void check_files(const CommandFiles& files) {
             checked.insert(checked.end(), inside.begin(), inside.end());
         }
     }
-    const std::vector<Input> inputs =
-        outputs.empty() ? std::vector<Input>() : existing_inputs(files);
+    std::vector<Input> inputs = outputs.empty() ? std::vector<Input>() : existing_inputs(files);
+    if (files.in_use) {
+        inputs.insert(inputs.end(), files.in_use->named.begin(), files.in_use->named.end());
+        files.in_use->outputs = outputs;
+    }
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         check_not_an_input(outputs[i], inputs);
         if (files.prints) check_not_printed_to(outputs[i]);
@@ -240,6 +247,17 @@ void check_files(const CommandFiles& files) {
         if (!folder.name.empty()) check_output_folder(folder.name);
     }
     for (const Output& output : named) check_format(output);
+}
+
+References checked_references(const References& references, const std::string& input,
+                              std::shared_ptr<FilesInUse> in_use) {
+    return references.checked_by([=](const fs::path& path) {
+        if (std::ranges::find(in_use->named, path, &Input::path) != in_use->named.end()) return;
+        std::vector<Input> named;
+        add_named(path, input, references, named);
+        for (const Output& output : in_use->outputs) check_not_an_input(output, named);
+        in_use->named.insert(in_use->named.end(), named.begin(), named.end());
+    });
 }
 
 void check_values(const CLI::App& command) {

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "nacre/core/references.h"
 
 // The files that a command reads and writes. They are checked in one place, before the work: a
 // result must not replace what it was made from, and hours of work must not end at a folder that
@@ -38,6 +42,19 @@ struct OutputFolder {
     std::vector<std::string> files = {};
 };
 
+/// A file that is read, and how messages name it.
+struct Input {
+    std::filesystem::path path;
+    std::string text;
+};
+
+/// The outputs that check_files() was asked about last, and the files that inputs were found to name as
+/// they were read (checked_references()).
+struct FilesInUse {
+    std::vector<Output> outputs;
+    std::vector<Input> named;
+};
+
 struct CommandFiles {
     /// As on the command line. Numbers may follow, as in "film.csv:80", and what names no file is
     /// passed over: a built-in scene, a shipped material.
@@ -46,6 +63,7 @@ struct CommandFiles {
     std::vector<OutputFolder> folders = {};
     bool untrusted = false;  ///< inputs name files in their folders only
     bool prints = false;     ///< data to the standard output, whatever the files are called
+    std::shared_ptr<FilesInUse> in_use = {};  ///< null: no input names any
 };
 
 /// What a command with --output and --report reads and writes.
@@ -54,12 +72,19 @@ CommandFiles files_of(const CommonOptions& options, std::vector<std::string> inp
                       const std::string& format = {});
 
 /// Checks that each output can be written, as far as that shows beforehand, and that none is an
-/// input, a file that an input (recipe, scene, mesh) names, or another output: by name, or the same
-/// file through links.
+/// input, a file that an input names (a mesh, or one that has been read), or another output: by name,
+/// or the same file through links.
 /// @throws UsageError naming both where an output is an input or another output, or naming what is
 ///         written where an output is called like something else
 /// @throws InputError as check_output_file(), check_output_folder() and io::check_png_beside()
 void check_files(const CommandFiles& files);
+
+/// The files that an input may name, none of which may be an output: which one it names shows as it is
+/// read, which every command does before its work.
+/// @param input  as messages name it
+/// @return  refuses by the UsageError of check_files() what is an output
+References checked_references(const References& references, const std::string& input,
+                              std::shared_ptr<FilesInUse> in_use);
 
 /// Whether a name means the standard output, or the file to which that is redirected.
 bool is_standard_output(const std::string& name);

@@ -170,8 +170,8 @@ struct Start {
     fit::FreeKeys free;
 };
 
-/// @return none with --library
-std::optional<Start> open_start(const FitOptions& options, const FitSettings& how) {
+/// The paint of --start; none with --library.
+std::optional<Paint> open_start(const FitOptions& options) {
     if (options.start.empty() == options.library.empty()) {
         throw UsageError(
             "give --start, the recipe to start from, or --library, a folder of nacre-library");
@@ -188,10 +188,14 @@ std::optional<Start> open_start(const FitOptions& options, const FitSettings& ho
         throw InputError(fmt::format("{}: layer: is missing; a fit needs at least one [[layer]]",
                                      options.start));
     }
+    return paint;
+}
+
+Start with_free_numbers(const FitOptions& options, Paint paint, const FitSettings& how) {
     fit::FreeKeys free = free_keys(options, paint, how);
     fit::FreeNumbers(paint.recipe(), free.keys, paint.bounds());  // before any work
     say_skipped(options, free.skipped);
-    return Start{std::move(paint), std::move(free)};
+    return {std::move(paint), std::move(free)};
 }
 
 /// The best match, and what the report and the text say besides.
@@ -236,8 +240,10 @@ ExitStatus run(const FitOptions& options) {
     how.target.hot_spot = model.shows_hot_spot();
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
-    const std::optional<Start> start = open_start(options, how);
+    std::optional<Paint> paint = open_start(options);
     const Paint standard = open_input(options, options.standard);
+    std::optional<Start> start;
+    if (paint) start = with_free_numbers(options, *std::move(paint), how);
     require_part_in_fit(model, standard);
     const Measurement wanted = wanted_of(options, standard, instrument);
     say_warnings(options, standard);

@@ -19,11 +19,13 @@
 #include "nacre/io/measurement_file.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/io/solved_paint_file.h"
+#include "nacre/io/toml_document.h"
 #include "nacre/measure/image_clarity.h"
 #include "nacre/nacre.h"
 #include "nacre/paint/expansion.h"
 #include "nacre/paint/orientation.h"
 #include "nacre/render/mesh_file.h"
+#include "nacre/render/scene_file.h"
 #include "nacre/render/shard_file.h"
 
 namespace nacre::cli {
@@ -160,11 +162,7 @@ void describe_recipe(Facts& facts, const paint::Recipe& recipe) {
     }
 }
 
-void describe_solved_paint(Facts& facts, const std::string& bytes, const std::string& name) {
-    const solver::SolvedPaint paint = io::parse_solved_paint(bytes, name);
-    facts.add("kind", "solved paint (HDF5, format {})", io::kSolvedPaintFormatVersion);
-    facts.add("bytes", "{}", bytes.size());
-    describe_recipe(facts, paint.recipe);
+void describe_solution(Facts& facts, const solver::SolvedPaint& paint) {
     facts.add("wavelengths", "{} from {} to {} nm", paint.wavelengths_nm().size(),
               paint.wavelengths_nm().front(), paint.wavelengths_nm().back());
     facts.add("nodes", "{} that leave the coat, {} beyond the critical angle",
@@ -174,6 +172,22 @@ void describe_solved_paint(Facts& facts, const std::string& bytes, const std::st
     facts.add("unresolved scattering", "{:.2g}", paint.report.unresolved_scattering);
     facts.add("remainder", "rank {}, {} coefficients", paint.multiple_scattering.rank(),
               paint.multiple_scattering.coefficient.size());
+}
+
+/// A recipe, or a solved paint.
+void describe_paint(const InfoOptions& options, Facts& facts, io::TypedFile file) {
+    const std::size_t bytes = file.bytes.size();
+    const Paint paint = open_typed(std::move(file));
+    const bool solved = paint.kind() == Kind::solved_paint;
+    if (solved) {
+        facts.add("kind", "solved paint (HDF5, format {})", io::kSolvedPaintFormatVersion);
+        facts.add("bytes", "{}", bytes);
+    } else {
+        facts.add("kind", "recipe");
+    }
+    describe_recipe(facts, paint.recipe());
+    if (solved) describe_solution(facts, *paint.solved());
+    warn_of_implausible(options, paint);
 }
 
 void describe_brdf_table(Facts& facts, const std::string& bytes, const std::string& name) {
@@ -275,6 +289,19 @@ void describe_picture_shard(Facts& facts, const std::string& bytes, const std::s
     facts.add("nacre:scene", "{}", shard.metadata.at("nacre:scene"));
 }
 
+/// So that no output is a file that one of its recipes names: nothing else of theirs is asked.
+void read_recipes_of(const render::SceneDescription& scene) {
+    for (const auto& [name, material] : scene.materials) {
+        const auto* paint = std::get_if<render::PaintMaterial>(&material);
+        if (!paint || paint->recipe.empty()) continue;
+        try {
+            io::parse_recipe(read_file(paint->recipe, io::kMaxTextBytes), paint->recipe.string(),
+                             scene.references.beside(paint->recipe));
+        } catch (const InputError&) {  // whoever renders the scene says what is wrong
+        }
+    }
+}
+
 /// The recipe of the file with the values of --set.
 std::string describe_changed(const InfoOptions& options) {
     const Paint paint = open_paint(options, options.file);
@@ -288,52 +315,50 @@ std::string describe_changed(const InfoOptions& options) {
 std::string describe(const InfoOptions& options) {
     if (!options.set.empty()) return describe_changed(options);
     const io::SampleName name = io::split_sample_name(find_paint(options.file).string());
-    const std::string file = name.file.string();
-    const std::string bytes = read_file(
-        file, std::max({io::kMaxImageFileBytes, io::kMaxMeasuredBytes, render::kMaxMeshBytes}));
+    const std::string path = name.file.string();
+    constexpr std::size_t kMaxBytes =
+        std::max({io::kMaxImageFileBytes, io::kMaxMeasuredBytes, render::kMaxMeshBytes});
+    io::TypedFile file =
+        io::typed_file(read_file(path, kMaxBytes), path, references_of(options, path));
     Facts facts;
     facts.add("file", "{}", options.file);
-    const io::FileKind kind = io::file_kind(bytes);
-    if (!name.sample.empty() && kind != io::FileKind::measured_colours) {
-        throw InputError(fmt::format("{}: is {}; only measured colours have samples", file,
-                                     io::words_for(kind)));
+    if (!name.sample.empty() && file.kind != io::FileKind::measured_colours) {
+        throw InputError(fmt::format("{}: is {}; only measured colours have samples", file.name,
+                                     io::words_for(file.kind)));
     }
-    switch (kind) {
-        case io::FileKind::picture:
-            describe_image(facts, bytes, file);
-            break;
+    switch (file.kind) {
+        case io::FileKind::recipe:
         case io::FileKind::solved_paint:
-            describe_solved_paint(facts, bytes, file);
-            warn_of_implausible(options, open_text(bytes, file));
+            describe_paint(options, facts, std::move(file));
+            break;
+        case io::FileKind::picture:
+            describe_image(facts, file.bytes, file.name);
             break;
         case io::FileKind::brdf_table:
-            describe_brdf_table(facts, bytes, file);
+            describe_brdf_table(facts, file.bytes, file.name);
             break;
         case io::FileKind::picture_shard:
-            describe_picture_shard(facts, bytes, file);
+            describe_picture_shard(facts, file.bytes, file.name);
             break;
         case io::FileKind::rgl:
-            describe_rgl(facts, bytes, file);
+            describe_rgl(facts, file.bytes, file.name);
             break;
         case io::FileKind::merl:
-            describe_merl(facts, bytes, file);
+            describe_merl(facts, file.bytes, file.name);
             break;
         case io::FileKind::measured_colours:
-            for (const std::string& line :
-                 describe_measured_colours(facts, bytes, file, name.sample)) {
+            for (const std::string& line : describe_measured_colours(facts, file, name.sample)) {
                 warn(options, line);
             }
             break;
-        case io::FileKind::scene:
-            describe_scene(facts, bytes, file, references_of(options, file));
+        case io::FileKind::scene: {
+            const render::SceneDescription scene = render::parse_scene(file);
+            if (!options.output.empty()) read_recipes_of(scene);
+            describe_scene(facts, scene);
             break;
-        case io::FileKind::recipe:
-            facts.add("kind", "recipe");
-            describe_recipe(facts, io::parse_recipe(bytes, file, references_of(options, file)));
-            warn_of_implausible(options, open_text(bytes, file, references_of(options, file)));
-            break;
+        }
         default:
-            describe_other(facts, kind, bytes, file);
+            describe_other(facts, file);
     }
     return facts.text();
 }

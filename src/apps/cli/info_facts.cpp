@@ -20,7 +20,6 @@
 #include "nacre/nacre.h"
 #include "nacre/optics/material_file.h"
 #include "nacre/render/mesh_file.h"
-#include "nacre/render/scene_file.h"
 #include "nacre/spectra/observer.h"
 
 namespace nacre::cli {
@@ -84,8 +83,8 @@ void describe_material(Facts& facts, std::string_view bytes, const std::string& 
     facts.add("index", "{:.6g} + {:.6g}i at {} nm", index.real(), index.imag(), shown);
 }
 
-void describe_geometries(Facts& facts, std::string_view bytes, const std::string& file) {
-    const measure::GeometrySet set = io::parse_geometry_set(bytes, file);
+void describe_geometries(Facts& facts, const io::TypedFile& file) {
+    const measure::GeometrySet set = io::parse_geometry_set(file);
     facts.add("name", "{}", set.name);
     if (!set.summary.empty()) facts.add("summary", "{}", set.summary);
     for (const measure::Geometry& g : set.geometries) {
@@ -96,9 +95,9 @@ void describe_geometries(Facts& facts, std::string_view bytes, const std::string
     }
 }
 
-void describe_pigment(Facts& facts, std::string_view bytes, const std::string& file) {
+void describe_pigment(Facts& facts, const io::TypedFile& file) {
     constexpr double kVolume = 0.1;  // a file does not say how much of it there is
-    const io::PigmentFile pigment = io::parse_pigment_file(bytes, file, kVolume);
+    const io::PigmentFile pigment = io::parse_pigment_file(file, kVolume);
     facts.add("name", "{}", pigment.pigment.name);
     if (!pigment.source.empty()) facts.add("source", "{}", pigment.source);
     const auto* particles = std::get_if<paint::PigmentParticles>(&pigment.pigment.body);
@@ -241,13 +240,12 @@ void describe_threejs_module(Facts& facts, std::string_view bytes) {
 
 }  // namespace
 
-std::vector<std::string> describe_measured_colours(Facts& facts, std::string_view bytes,
-                                                   const std::string& file,
+std::vector<std::string> describe_measured_colours(Facts& facts, const io::TypedFile& file,
                                                    const std::string& sample) {
-    const io::MeasurementFile colours = io::parse_measurement_file(bytes, file);
+    const io::MeasurementFile colours = io::parse_measurement_file(file.bytes, file.name);
     std::size_t first = 0, last = colours.samples.size();
     if (!sample.empty()) {
-        first = static_cast<std::size_t>(&io::sample_called(colours, sample, file) -
+        first = static_cast<std::size_t>(&io::sample_called(colours, sample, file.name) -
                                          colours.samples.data());
         last = first + 1;
     }
@@ -272,9 +270,7 @@ std::vector<std::string> describe_measured_colours(Facts& facts, std::string_vie
     return contradictions;
 }
 
-void describe_scene(Facts& facts, std::string_view bytes, const std::string& file,
-                    const References& references) {
-    const render::SceneDescription scene = render::parse_scene(bytes, file, references);
+void describe_scene(Facts& facts, const render::SceneDescription& scene) {
     facts.add("kind", "scene");
     facts.add("name", "{}", scene.name);
     facts.add("shapes", "{}", scene.shapes.size());
@@ -296,9 +292,11 @@ void describe_scene(Facts& facts, std::string_view bytes, const std::string& fil
     }
 }
 
-void describe_other(Facts& facts, io::FileKind kind, std::string_view bytes,
-                    const std::string& file) {
+void describe_other(Facts& facts, const io::TypedFile& typed) {
     using io::FileKind;
+    const FileKind kind = typed.kind;
+    const std::string& bytes = typed.bytes;
+    const std::string& file = typed.name;
     if (kind == FileKind::other_encoding) require_utf8(bytes, file);
     if (kind == FileKind::other_table)
         io::parse_measurement_file(bytes, file);  // says what it lacks
@@ -310,9 +308,9 @@ void describe_other(Facts& facts, io::FileKind kind, std::string_view bytes,
     facts.add("bytes", "{}", bytes.size());
     switch (kind) {
         case FileKind::geometry_set:
-            return describe_geometries(facts, bytes, file);
+            return describe_geometries(facts, typed);
         case FileKind::pigment:
-            return describe_pigment(facts, bytes, file);
+            return describe_pigment(facts, typed);
         case FileKind::drawdown:
             return describe_drawdown(facts, bytes, file);
         case FileKind::material:

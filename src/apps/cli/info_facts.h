@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "nacre/core/references.h"
 #include "nacre/core/text.h"
 #include "nacre/io/file_kind.h"
+#include "nacre/render/scene.h"
 
 // What `nacre info` says of files that are not paints: measured colours, what recipes and scenes
 // name, and results that are not read again.
@@ -30,22 +29,18 @@ class Facts {
     std::string text_;
 };
 
-/// @param file    as the user named it
 /// @param sample  the one that is meant; empty: all
 /// @return what is to be warned of: columns that contradict each other
 /// @throws InputError as io::parse_measurement_file() and io::sample_called()
-std::vector<std::string> describe_measured_colours(Facts& facts, std::string_view bytes,
-                                                   const std::string& file,
+std::vector<std::string> describe_measured_colours(Facts& facts, const io::TypedFile& file,
                                                    const std::string& sample);
 
-/// @throws InputError as render::parse_scene(), and as render::make_mesh(), naming the shape
-void describe_scene(Facts& facts, std::string_view bytes, const std::string& file,
-                    const References& references);
+/// @throws InputError as render::make_mesh(), naming the shape
+void describe_scene(Facts& facts, const render::SceneDescription& scene);
 
 /// Files of every kind that neither open() nor a function above reads.
 /// @throws InputError naming the file and what is wrong in it, or what it is if nothing of Nacre's
 ///         reads or writes it
-void describe_other(Facts& facts, io::FileKind kind, std::string_view bytes,
-                    const std::string& file);
+void describe_other(Facts& facts, const io::TypedFile& typed);
 
 }  // namespace nacre::cli

@@ -83,7 +83,9 @@ void add_set(CLI::App& command, CommonOptions& options) {
 }
 
 References references_of(const CommonOptions& options, const std::string& input) {
-    return options.untrusted ? References::of_untrusted_file(input) : References::of_file(input);
+    const References references =
+        options.untrusted ? References::of_untrusted_file(input) : References::of_file(input);
+    return checked_references(references, input, options.in_use);
 }
 
 void add_threads(CLI::App& command, CommonOptions& options) {

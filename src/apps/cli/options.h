@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <stdexcept>
 #include <string>
@@ -119,6 +120,8 @@ struct CommonOptions {
     bool decimal_comma = false;    ///< in tables; semicolons between the cells then
     bool byte_order_mark = false;  ///< at the beginning of tables
     std::vector<std::string> set;  ///< changes of the recipe, key=value; see open_paint()
+    /// Of the command, shared by copies.
+    std::shared_ptr<FilesInUse> in_use = std::make_shared<FilesInUse>();
 };
 
 void add_output(CLI::App& command, CommonOptions& options);  ///< -o, --output
@@ -137,7 +140,7 @@ void add_seed(CLI::App& command, CommonOptions& options);
 /// Of commands that compute: --threads, --quiet and --report.
 void add_run_options(CLI::App& command, CommonOptions& options);
 
-/// The files that an input of the command may name.
+/// The files that an input of the command may name: checked_references().
 References references_of(const CommonOptions& options, const std::string& input);
 
 /// @throws Stopped if the user has interrupted the command, which writes no file then

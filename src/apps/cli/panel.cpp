@@ -138,6 +138,8 @@ ExitStatus run(const PanelOptions& options) {
     }
     parse_tolerance(options.tolerance);  // before any work
     const Paint paint = open_panel(options, options.recipe);
+    std::optional<Paint> versus;
+    if (!options.versus.empty()) versus = open_input(options, options.versus);
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Stopwatch watch;
@@ -156,13 +158,11 @@ ExitStatus run(const PanelOptions& options) {
     page.model = &model.info();
     page.recipe = paint.recipe();
     page.recipe_sha256 = paint.recipe_sha256();
-    std::optional<Paint> versus;
-    if (options.versus.empty()) {
+    if (!versus) {
         ProgressBar bar("measure", options.quiet);
         page.sample =
             paint.measure(instrument.geometries, instrument.settings, bar.callback()).measurement;
     } else {
-        versus = open_input(options, options.versus);
         ProgressBar bar("measure", options.quiet);
         auto [sample, standard] = measure_alike(paint, *versus, instrument.geometries,
                                                 instrument.settings, bar.callback());

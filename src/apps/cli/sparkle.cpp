@@ -328,13 +328,16 @@ ExitStatus run(SparkleOptions options) {
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Stopwatch watch;
-    const Seen sample = see(options, open_paint(options, options.recipe), model);
+    const Paint paint = open_paint(options, options.recipe);
+    std::optional<Paint> versus;
+    if (!options.versus.empty()) versus = open_input(options, options.versus);
+    const Seen sample = see(options, paint, model);
     print_warnings(options, sample);
     std::vector<Compared> rows;
-    if (!options.versus.empty()) {
+    if (versus) {
         bsdf::Model other = model;  // flakes of its own, or equal panels would err alike
         other.set_specimen(model.specimen().value_or(0) + 1);
-        const Seen standard = see(options, open_input(options, options.versus), other);
+        const Seen standard = see(options, *versus, other);
         print_warnings(options, standard);
         rows = compared(standard.measurement, sample.measurement);
     }

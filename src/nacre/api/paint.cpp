@@ -51,27 +51,47 @@ const char* name_of(Kind kind) {
     return "";
 }
 
-MeasuredBrdf read_measured_brdf(std::string_view bytes, const std::string& name) {
-    if (io::looks_like_rgl(bytes)) {
-        bsdf::RglTable table = io::parse_rgl(bytes, name);
+/// What open() takes a file for.
+Kind kind_of(io::FileKind kind) {
+    switch (kind) {
+        case io::FileKind::solved_paint:
+            return Kind::solved_paint;
+        case io::FileKind::brdf_table:
+            return Kind::brdf_table;
+        case io::FileKind::rgl:
+        case io::FileKind::merl:
+            return Kind::measured_brdf;
+        case io::FileKind::measured_colours:
+            return Kind::measured_colours;
+        default:
+            return Kind::recipe;
+    }
+}
+
+MeasuredBrdf read_measured_brdf(const io::TypedFile& file) {
+    if (file.kind == io::FileKind::rgl) {
+        bsdf::RglTable table = io::parse_rgl(file.bytes, file.name);
         const bool isotropic = table.isotropic();
         return {std::make_shared<const bsdf::MeasuredRgl>(std::move(table)), isotropic};
     }
-    return {std::make_shared<const bsdf::MeasuredMerl>(io::parse_merl(bytes, name)), true};
+    return {std::make_shared<const bsdf::MeasuredMerl>(io::parse_merl(file.bytes, file.name)),
+            true};
 }
 
 /// Refuses what is no paint, saying what it is instead.
 /// @throws InputError naming the file
-void require_paint(std::string_view bytes, const std::string& name) {
-    const io::FileKind kind = io::file_kind(bytes);
-    if (kind == io::FileKind::other_table) io::parse_measurement_file(bytes, name);  // says more
-    if (kind == io::FileKind::other_encoding) require_utf8(bytes, name);             // as this does
-    if (kind == io::FileKind::recipe) return;
+void require_recipe(const io::TypedFile& file) {
+    if (file.kind == io::FileKind::recipe) return;
+    if (file.kind == io::FileKind::other_table) {
+        io::parse_measurement_file(file.bytes, file.name);  // says more
+    }
+    if (file.kind == io::FileKind::other_encoding)
+        require_utf8(file.bytes, file.name);  // as this does
     throw InputError(
         fmt::format("{}: is {}; needed here is a recipe (TOML), a solved paint or table (HDF5), a "
                     "measured BRDF "
                     "(.bsdf, .binary) or measured colours (CSV, JSON, CGATS)",
-                    name, io::words_for(kind)));
+                    file.name, io::words_for(file.kind)));
 }
 
 /// By wavelength, each once, as a solver wants them.
@@ -95,21 +115,7 @@ SettingError::SettingError(const std::string& message)
       setting_(message.substr(0, message.find_first_of(" :"))),
       reason_(message.substr(std::min(message.size(), message.find(": ") + 2))) {}
 
-Kind kind_of(std::string_view bytes) {
-    switch (io::kind_of_bytes(bytes)) {
-        case io::FileKind::solved_paint:
-            return Kind::solved_paint;
-        case io::FileKind::brdf_table:
-            return Kind::brdf_table;
-        case io::FileKind::rgl:
-        case io::FileKind::merl:
-            return Kind::measured_brdf;
-        case io::FileKind::measured_colours:
-            return Kind::measured_colours;
-        default:
-            return Kind::recipe;
-    }
-}
+Kind kind_of(std::string_view bytes) { return kind_of(io::kind_of_bytes(bytes)); }
 
 std::vector<SolverWarning> solver_warnings(const solver::SolvedPaint& paint,
                                            const std::string& file) {
@@ -168,42 +174,44 @@ Paint::Paint(paint::Recipe recipe, std::vector<paint::ParameterBounds> bounds,
 
 Paint open_text(std::string bytes, const std::string& name, const References& references,
                 const std::string& sample) {
-    const Kind kind = kind_of(bytes);
+    return open_typed(io::typed_file(std::move(bytes), name, references), sample);
+}
+
+Paint open_typed(io::TypedFile file, const std::string& sample) {
+    const Kind kind = kind_of(file.kind);
     if (!sample.empty() && kind != Kind::measured_colours) {
-        throw InputError(
-            fmt::format("{}: holds {}; only measured colours have samples", name, name_of(kind)));
+        throw InputError(fmt::format("{}: holds {}; only measured colours have samples", file.name,
+                                     name_of(kind)));
     }
+    const auto paint = [&](Paint::State::Contents contents, const std::string& sha256 = {}) {
+        return Paint(std::make_shared<const Paint::State>(std::move(contents), file.name, sha256));
+    };
     switch (kind) {
         case Kind::recipe:
-            if (references.may_quote()) require_paint(bytes, name);
-            return Paint(std::make_shared<const Paint::State>(
-                io::parse_recipe_file(bytes, name, references), name));
+            if (file.references.may_quote()) require_recipe(file);
+            return paint(io::parse_recipe_file(file));
         case Kind::solved_paint:
-            return Paint(std::make_shared<const Paint::State>(
-                std::make_shared<const solver::SolvedPaint>(io::parse_solved_paint(bytes, name)),
-                name, sha256_hex(bytes)));
+            return paint(std::make_shared<const solver::SolvedPaint>(
+                             io::parse_solved_paint(file.bytes, file.name)),
+                         sha256_hex(file.bytes));
         case Kind::brdf_table:
-            return Paint(std::make_shared<const Paint::State>(
-                bsdf::shared_brdf_table(io::parse_brdf_table(bytes, name)), name,
-                sha256_hex(bytes)));
+            return paint(bsdf::shared_brdf_table(io::parse_brdf_table(file.bytes, file.name)),
+                         sha256_hex(file.bytes));
         case Kind::measured_brdf:
-            return Paint(std::make_shared<const Paint::State>(read_measured_brdf(bytes, name), name,
-                                                              sha256_hex(bytes)));
+            return paint(read_measured_brdf(file), sha256_hex(file.bytes));
         case Kind::measured_colours: {
-            if (!references.may_quote()) {  // as the reader would
+            if (!file.references.may_quote()) {  // as the reader would
                 throw InputError(
                     fmt::format("{}: holds measured colours; a recipe, a table or a "
                                 "measured BRDF is needed here",
-                                name));
+                                file.name));
             }
-            io::MeasurementFile file = io::parse_measurement_file(bytes, name);
-            const Measurement& found = io::sample_called(file, sample, name);
+            io::MeasurementFile read = io::parse_measurement_file(file.bytes, file.name);
+            const Measurement& found = io::sample_called(read, sample, file.name);
             std::vector<std::string>& contradictions =
-                file.contradictions[static_cast<std::size_t>(&found - file.samples.data())];
-            return Paint(std::make_shared<const Paint::State>(
-                MeasuredColours{std::move(bytes), sample, found, std::move(file.notes),
-                                std::move(contradictions)},
-                name));
+                read.contradictions[static_cast<std::size_t>(&found - read.samples.data())];
+            return paint(MeasuredColours{std::move(file.bytes), sample, found,
+                                         std::move(read.notes), std::move(contradictions)});
         }
     }
     throw Error("no such kind of file");

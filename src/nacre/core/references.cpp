@@ -41,7 +41,20 @@ References References::beside(const fs::path& file) const {
     return references;
 }
 
+References References::checked_by(std::function<void(const fs::path&)> check) const {
+    References references = *this;
+    references.check_ =
+        std::make_shared<const std::function<void(const fs::path&)>>(std::move(check));
+    return references;
+}
+
 fs::path References::resolve(const fs::path& name) const {
+    fs::path path = permitted(name);
+    if (check_) (*check_)(path);
+    return path;
+}
+
+fs::path References::permitted(const fs::path& name) const {
     if (allowed_ == Allowed::none) {
         throw InputError("is a file; a text that is in no folder may name none");
     }

@@ -2,6 +2,8 @@
 
 #include <concepts>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <utility>
 
 // A recipe names files of materials, a scene those of meshes, pictures and recipes. Whoever opens a
@@ -35,12 +37,16 @@ class References {
     /// The same permission for a file that was itself named: relative names start from its folder,
     /// and messages may not quote it.
     References beside(const std::filesystem::path& file) const;
+    /// The same permission, where each file that a text names, and each that is named in turn, is shown to
+    /// `check` before it is read: what that throws, resolve() throws.
+    References checked_by(std::function<void(const std::filesystem::path&)> check) const;
     /// Whether messages about the text may quote it. Not if another text named it, which may name
     /// any file, one that the reader of the message may not be allowed to see among them.
     bool may_quote() const { return !named_; }
 
     /// The path of a file by its name in the text.
-    /// @throws InputError without the name, which the caller knows, if the text may not name it
+    /// @throws InputError without the name, which the caller knows, if the text may not name it; as the
+    ///         function of checked_by()
     std::filesystem::path resolve(const std::filesystem::path& name) const;
 
     friend bool operator==(const References&, const References&) = default;
@@ -48,9 +54,12 @@ class References {
  private:
     enum class Allowed { none, within_root, anywhere };
 
+    std::filesystem::path permitted(const std::filesystem::path& name) const;
+
     std::filesystem::path folder_, root_;
     Allowed allowed_ = Allowed::none;
     bool named_ = false;  // by another text
+    std::shared_ptr<const std::function<void(const std::filesystem::path&)>> check_;
 };
 
 }  // namespace nacre

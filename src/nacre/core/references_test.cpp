@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+#include <vector>
+
 #include "nacre/core/error.h"
 #include "nacre/testing/files.h"
 
@@ -59,6 +62,24 @@ TEST_F(ReferencesTest, OnlyWhatNobodyNamedMayBeQuoted) {
     const References scene = References::of_file(folder_ / "scene" / "scene.toml");
     EXPECT_TRUE(scene.may_quote());
     EXPECT_FALSE(scene.beside(folder_ / "secret.csv").may_quote());
+}
+
+TEST_F(ReferencesTest, EachFileThatIsNamedAndPermittedIsCheckedBeforeItIsRead) {
+    std::vector<fs::path> seen;
+    const References within = References::within(folder_ / "scene");
+    const References checked = within.checked_by([&](const fs::path& path) {
+        seen.push_back(path);
+        if (path.filename() == "absent.csv") throw std::runtime_error("is an output");
+    });
+    EXPECT_EQ(checked.resolve("own.csv"), within.resolve("own.csv"));
+    EXPECT_EQ(checked.beside(folder_ / "scene/parts/part.toml").resolve("part.csv"),
+              folder_ / "scene/parts/part.csv");
+    EXPECT_THROW(checked.resolve("../secret.csv"), InputError);
+    EXPECT_THAT([&] { checked.resolve("absent.csv"); },
+                ThrowsMessage<std::runtime_error>("is an output"));
+    EXPECT_THAT(seen,
+                testing::ElementsAre(folder_ / "scene/own.csv", folder_ / "scene/parts/part.csv",
+                                     folder_ / "scene/absent.csv"));
 }
 
 TEST_F(ReferencesTest, OfAnUntrustedFileStayInItsFolder) {

@@ -150,6 +150,24 @@ bool has_scene_key(const TomlDocument& document) {
                                [&](const char* key) { return document.root().contains(key); });
 }
 
+/// @param text  of kind_of_bytes() `text`
+/// @return null if it is not TOML; its reader says why
+std::shared_ptr<TomlDocument> toml_of(std::string_view text, const std::string& name,
+                                      const References& references) {
+    try {
+        return std::make_shared<TomlDocument>(text, name, references, FileKind::text);
+    } catch (const InputError&) {
+        return nullptr;
+    }
+}
+
+FileKind kind_of_toml(const TomlDocument* document) {
+    if (document == nullptr) return FileKind::recipe;
+    if (has_scene_key(*document)) return FileKind::scene;
+    if (document->root().contains("geometry")) return FileKind::geometry_set;
+    return looks_like_pigment(*document) ? FileKind::pigment : FileKind::recipe;
+}
+
 /// What the outermost object of a text in JSON says of itself, up to where the text ends or is wrong.
 struct JsonOutline {
     std::set<std::string> keys;
@@ -300,16 +318,16 @@ FileKind kind_of_bytes(std::string_view bytes) {
 
 FileKind file_kind(std::string_view bytes) {
     const FileKind kind = kind_of_bytes(bytes);
-    if (kind != FileKind::text) return kind;
-    try {
-        const TomlDocument document(bytes, "", {});
-        if (has_scene_key(document)) return FileKind::scene;
-        if (document.root().contains("geometry")) return FileKind::geometry_set;
-        if (looks_like_pigment(document)) return FileKind::pigment;
-    } catch (const InputError&) {
-        // The reader of recipes says what is wrong.
-    }
-    return FileKind::recipe;
+    return kind == FileKind::text ? kind_of_toml(toml_of(bytes, "", {}).get()) : kind;
+}
+
+TypedFile typed_file(std::string bytes, std::string name, const References& references) {
+    TypedFile file{std::move(name), std::move(bytes), references, FileKind::empty};
+    file.kind = kind_of_bytes(file.bytes);
+    if (file.kind != FileKind::text) return file;
+    file.toml = toml_of(file.bytes, file.name, references);
+    file.kind = kind_of_toml(file.toml.get());
+    return file;
 }
 
 }  // namespace nacre::io

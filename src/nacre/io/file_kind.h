@@ -1,12 +1,17 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
+
+#include "nacre/core/references.h"
 
 // What a file is, by its contents: for commands that take any, and for messages about one that was
 // given in the place of another.
 
 namespace nacre::io {
+
+class TomlDocument;
 
 enum class FileKind {
     // Texts in TOML.
@@ -68,6 +73,20 @@ FileKind kind_of_bytes(std::string_view bytes);
 /// The same where TOML is told apart by the keys that it has; a text that is not TOML counts as a
 /// recipe, whose reader says what is wrong in it.
 FileKind file_kind(std::string_view bytes);
+
+/// A file that has been told apart, with all that was found out on the way, so that its reader need not
+/// do it again.
+struct TypedFile {
+    std::string name;  ///< for messages
+    std::string bytes;
+    References references;  ///< the files that it may name
+    FileKind kind = FileKind::empty;
+    /// Null where it is not TOML: a text that counts as a recipe has none either, if it is wrong.
+    std::shared_ptr<TomlDocument> toml = {};
+};
+
+/// Tells a file apart as file_kind().
+TypedFile typed_file(std::string bytes, std::string name, const References& references);
 
 /// What a table or a document of results holds: "reflectance and transmittance of films (nacre
 /// film)"; empty for what is of neither kind. Differences are among them.

@@ -9,8 +9,11 @@
 
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
+#include "nacre/io/pigment_file.h"
+#include "nacre/io/recipe_file.h"
 #include "nacre/io/toml_document.h"
 #include "nacre/testing/errors.h"
+#include "nacre/testing/files.h"
 
 namespace nacre::io {
 namespace {
@@ -113,6 +116,33 @@ TEST(FileKind, AReaderOfTomlSaysWhatItWasGivenInstead) {
     EXPECT_EQ(complaint("\xEF\xBB\xBFname = \"x\"\n"), "accepted");
     // A file that another one names is not talked about.
     EXPECT_EQ(complaint("v 0 0 0\n", References().beside("x")), "f:1:3: is not TOML");
+}
+
+TEST(FileKind, IsToldOnceAndTomlParsedOnce) {
+    const std::string recipe = "ior = 1.4\n[[layer]]\nthickness_um = 7\n";
+    TypedFile file = typed_file(recipe, "a.toml", References());
+    EXPECT_EQ(file.kind, FileKind::recipe);
+    EXPECT_EQ(parse_recipe_file(file).recipe, parse_recipe(recipe, "a.toml", {}));
+    // What has been parsed is not parsed again.
+    file.bytes = "geometry,L,a,b\n45as15,1,2,3\n";
+    EXPECT_EQ(parse_recipe_file(file).recipe, parse_recipe(recipe, "a.toml", {}));
+    const TypedFile thin = typed_file(test::replaced(recipe, "7", "0"), "a.toml", References());
+    EXPECT_THAT(message_of<InputError>([&] { parse_recipe_file(thin); }),
+                HasSubstr("a.toml:3:16: layer[0].thickness_um = 0"));
+    // A text that is not TOML counts as a recipe, and its reader says what is wrong.
+    const TypedFile wrong = typed_file("ior = 1,5\n", "b.toml", References());
+    EXPECT_EQ(wrong.kind, FileKind::recipe);
+    EXPECT_THAT(message_of<InputError>([&] { parse_recipe_file(wrong); }),
+                HasSubstr("b.toml:1:8: ior: 1,5: a number has a decimal point"));
+    for (const char* other : {"", "geometry,L,a,b\n45as15,1,2,3\n", "ply\nformat ascii 1.0\n"}) {
+        EXPECT_EQ(typed_file(other, "c", References()).kind, file_kind(other)) << other;
+    }
+    // A pigment may name no files, whatever its file may.
+    const std::string pigment = "name = \"chalk\"\nmaterial = \"chalk.csv\"\ndiameter_nm = 1000\n";
+    const TypedFile chalk = typed_file(pigment, "chalk.toml", References::anywhere(""));
+    EXPECT_EQ(chalk.kind, FileKind::pigment);
+    EXPECT_EQ(message_of<InputError>([&] { parse_pigment_file(chalk, 0.1); }),
+              message_of<InputError>([&] { parse_pigment_file(pigment, "chalk.toml", 0.1); }));
 }
 
 TEST(FileKind, ADecimalCommaInTomlIsPointedAt) {

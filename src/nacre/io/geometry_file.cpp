@@ -45,12 +45,9 @@ measure::Geometry read_geometry(const TableReader& table) {
     }
 }
 
-}  // namespace
-
-measure::GeometrySet parse_geometry_set(std::string_view text, const std::string& filename) {
-    TomlDocument document(text, filename, {});
+measure::GeometrySet read_geometries(TomlDocument& document) {
     const TableReader root(document, {"name", "summary", "geometry"});
-    measure::GeometrySet set{root.text_or("name", filename, kMaxNameLength),
+    measure::GeometrySet set{root.text_or("name", document.filename(), kMaxNameLength),
                              root.text_or("summary", "", kMaxSummaryLength),
                              {}};
     std::set<std::string> names;
@@ -73,6 +70,17 @@ measure::GeometrySet parse_geometry_set(std::string_view text, const std::string
         root.fail("geometry", "is missing; a set needs at least one [[geometry]]");
     }
     return set;
+}
+
+}  // namespace
+
+measure::GeometrySet parse_geometry_set(std::string_view text, const std::string& filename) {
+    TomlDocument document(text, filename, {});
+    return read_geometries(document);
+}
+
+measure::GeometrySet parse_geometry_set(const TypedFile& file) {
+    return read_geometries(*TomlDocument::of(file));
 }
 
 measure::GeometrySet read_geometry_set(const std::filesystem::path& path) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "nacre/io/file_kind.h"
 #include "nacre/measure/geometry.h"
 
 // Sets of geometries of one's own, as TOML:
@@ -33,6 +34,8 @@ inline constexpr std::size_t kMaxGeometries = 10'000;
 ///         out of range, a view below the horizon, a name or a direction that appears twice, no
 ///         geometry
 measure::GeometrySet parse_geometry_set(std::string_view text, const std::string& filename);
+/// The same of a file that has been told apart, whatever it was found to be.
+measure::GeometrySet parse_geometry_set(const TypedFile& file);
 measure::GeometrySet read_geometry_set(const std::filesystem::path& path);
 
 }  // namespace nacre::io

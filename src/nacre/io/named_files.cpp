@@ -12,7 +12,6 @@
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
 #include "nacre/core/text.h"
-#include "nacre/io/table_reader.h"
 
 namespace nacre::io {
 
@@ -21,9 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// A scene names recipes, and they name materials; it names meshes, they name materials, and these
-/// pictures.
-constexpr int kMaxDepth = 3;
 /// The most JSON of a glTF that is looked through, as render/mesh_file.cpp reads it.
 constexpr std::size_t kMaxGltfBytes = std::size_t{1} << 28;
 
@@ -41,21 +37,14 @@ bool next_line(std::istream& in, std::string& line) {
     return cut || !in.fail();
 }
 
-/// The paths of files in texts.
+/// The paths of files in the texts of a mesh.
 class NamedFiles {
  public:
-    void add_from(const fs::path& file, const References& references, int depth = 1) {
-        const std::string extension = lowercase(file.extension().string());
+    void add_from(const fs::path& file, const References& references) {
+        const std::string extension = extension_of(file);
         try {
-            if (extension == ".gltf" || extension == ".glb") {
-                add_from_gltf(file);
-            } else if (extension == ".obj" || extension == ".mtl") {
-                add_from_lines(file, references, depth);
-            } else {
-                const TomlDocument document(read_file(file, kMaxTextBytes), file.string(),
-                                            references);
-                add_from_node(document.root(), references, depth);
-            }
+            if (extension == ".gltf" || extension == ".glb") add_from_gltf(file);
+            if (extension == ".obj") add_from_lines(file, references);
         } catch (const InputError&) {  // whoever reads it says what is wrong
         }
     }
@@ -63,10 +52,15 @@ class NamedFiles {
     std::vector<fs::path> found;
 
  private:
+    static std::string extension_of(const fs::path& file) {
+        return lowercase(file.extension().string());
+    }
+
     /// The file of this name, if there is one and it may be named.
-    void add(const std::string& name, const References& references, int depth) {
+    /// @return whether it is new
+    bool add(const std::string& name, const References& references) {
         std::error_code ec;
-        if (name.size() > PATH_MAX) return;
+        if (name.size() > PATH_MAX) return false;
         const std::optional<fs::path> file = [&]() -> std::optional<fs::path> {
             try {
                 return references.resolve(name);
@@ -74,26 +68,16 @@ class NamedFiles {
                 return std::nullopt;
             }
         }();
-        if (!file || !fs::is_regular_file(*file, ec)) return;
-        if (std::ranges::find(found, *file) != found.end()) return;
+        if (!file || !fs::is_regular_file(*file, ec)) return false;
+        if (std::ranges::find(found, *file) != found.end()) return false;
         found.push_back(*file);
-        if (depth < kMaxDepth) add_from(*file, references.beside(*file), depth + 1);
-    }
-
-    void add_from_node(const toml::node& node, const References& references, int depth) {
-        if (const auto* text = node.as_string()) {
-            add(text->get(), references, depth);
-        } else if (const auto* table = node.as_table()) {
-            for (const auto& [key, value] : *table) add_from_node(value, references, depth);
-        } else if (const auto* array = node.as_array()) {
-            for (const toml::node& value : *array) add_from_node(value, references, depth);
-        }
+        return true;
     }
 
     /// Of an OBJ, whose first lines name its materials, and of these, which name pictures.
-    void add_from_lines(const fs::path& file, const References& references, int depth) {
+    void add_from_lines(const fs::path& file, const References& references) {
         constexpr int kMaxLines = 1000;
-        const bool is_obj = lowercase(file.extension().string()) == ".obj";
+        const bool is_obj = extension_of(file) == ".obj";
         std::ifstream in(file);
         std::string line;
         for (int i = 0; i < kMaxLines && next_line(in, line); ++i) {
@@ -102,7 +86,11 @@ class NamedFiles {
             if (text.starts_with("newmtl ") || (is_obj && !text.starts_with("mtllib "))) continue;
             for (std::size_t at = text.find(' '); at != std::string_view::npos;
                  at = text.find(' ', at + 1)) {
-                add(std::string(trimmed(text.substr(at))), references, depth);
+                if (!add(std::string(trimmed(text.substr(at))), references) || !is_obj) continue;
+                const fs::path materials = found.back();
+                if (extension_of(materials) == ".mtl") {
+                    add_from_lines(materials, references.beside(materials));
+                }
             }
         }
     }
@@ -169,8 +157,8 @@ void NamedFiles::add_from_gltf(const fs::path& file) {
     // As render/mesh_file.cpp: from its folder and below.
     const References beside = References::within(file.parent_path());
     Texts texts([&](const std::string& text) {
-        add(text, beside, kMaxDepth);
-        if (text.find('%') != std::string::npos) add(percent_decoded(text), beside, kMaxDepth);
+        add(text, beside);
+        if (text.find('%') != std::string::npos) add(percent_decoded(text), beside);
     });
     json::sax_parse(gltf_text(file), &texts);
 }

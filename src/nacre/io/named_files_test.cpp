@@ -25,28 +25,14 @@ class NamedFiles : public ::testing::Test {
     const test::TempFolder folder_;
 };
 
-TEST_F(NamedFiles, AreThoseOfARecipeAndOfWhatASceneNames) {
-    write("glass.csv", "wavelength_nm,n,k\n");
-    write("mesh.obj", "");
-    write("paint.toml",
-          "name = \"mesh\"\nior = \"glass.csv\"\n[[layer]]\nthickness_um = 3\n"
-          "[[layer.flakes]]\ncoats = [ { material = \"none.csv\" } ]\n");
-    write("below/scene.toml",
-          "[[shapes]]\npath = \"../mesh.obj\"\n"
-          "[materials.paint]\nrecipe = \"../paint.toml\"\n");
-    EXPECT_THAT(named_by("paint.toml"), UnorderedElementsAre(folder_ / "glass.csv"));
-    const fs::path up = folder_ / "below" / "..";
-    EXPECT_THAT(named_by("below/scene.toml"),
-                UnorderedElementsAre(up / "mesh.obj", up / "paint.toml", up / "glass.csv"));
-}
-
-TEST_F(NamedFiles, WhatIsNoTomlNamesNone) {
-    write("a.csv", "a.csv = [");
-    write("self.toml", "name = \"self.toml\"\n");
+TEST_F(NamedFiles, WhatIsNoMeshNamesNone) {
+    write("a.csv", "any");
+    write("a.toml", "ior = \"a.csv\"\n");
     EXPECT_THAT(named_by("a.csv"), IsEmpty());
-    EXPECT_THAT(named_by("none.toml"), IsEmpty());
+    EXPECT_THAT(named_by("a.toml"), IsEmpty());
+    EXPECT_THAT(named_by("none.obj"), IsEmpty());
+    EXPECT_THAT(named_by("none.gltf"), IsEmpty());
     EXPECT_THAT(files_named_by(folder_.path(), References::anywhere(folder_.path())), IsEmpty());
-    EXPECT_THAT(named_by("self.toml"), UnorderedElementsAre(folder_ / "self.toml"));
 }
 
 /// A .glb: header, the chunk of JSON, and that of its buffer.
@@ -73,20 +59,18 @@ TEST_F(NamedFiles, OfAMeshAreTheBuffersAndPicturesOfAGltf) {
     EXPECT_THAT(named_by("mesh.glb"), UnorderedElementsAre(buffer, picture));
     EXPECT_THAT(named_by("deep.gltf"), IsEmpty());
     EXPECT_THAT(named_by("cut.glb"), IsEmpty());
-    write("scene.toml", "[[shapes]]\npath = \"mesh.gltf\"\n");
-    EXPECT_THAT(named_by("scene.toml"),
-                UnorderedElementsAre(folder_ / "mesh.gltf", buffer, picture));
 }
 
-TEST_F(NamedFiles, OutsideOfTheFolderOfAnUntrustedFileAreLeftOut) {
-    write("glass.csv", "any");
-    write("below/own.csv", "any");
-    write("below/paint.toml", "ior = \"../glass.csv\"\nname = \"own.csv\"\n");
-    write("below/scene.toml",
-          "a = \"paint.toml\"\nb = \"" + (folder_ / "glass.csv").string() + "\"\n");
-    const fs::path scene = folder_ / "below/scene.toml";
-    EXPECT_THAT(files_named_by(scene, References::of_untrusted_file(scene)),
-                UnorderedElementsAre(folder_ / "below/paint.toml", folder_ / "below/own.csv"));
+TEST_F(NamedFiles, OutsideOfTheFolderOfAnUntrustedMeshAreLeftOut) {
+    write("glass.mtl", "newmtl a\nmap_Kd wood.png\n");
+    write("below/own.mtl", "newmtl a\nmap_Kd ../wood.png\nmap_Ks own.png\n");
+    write("wood.png", "any");
+    write("below/own.png", "any");
+    const fs::path mesh = folder_ / "below/ball.obj";
+    write("below/ball.obj",
+          "mtllib ../glass.mtl\nmtllib " + (folder_ / "glass.mtl").string() + "\nmtllib own.mtl\n");
+    EXPECT_THAT(files_named_by(mesh, References::of_untrusted_file(mesh)),
+                UnorderedElementsAre(folder_ / "below/own.mtl", folder_ / "below/own.png"));
 }
 
 TEST_F(NamedFiles, AnObjNamesItsMaterialsAndTheirPictures) {
@@ -96,10 +80,6 @@ TEST_F(NamedFiles, AnObjNamesItsMaterialsAndTheirPictures) {
     write("body", "any");
     EXPECT_THAT(named_by("ball.obj"),
                 UnorderedElementsAre(folder_ / "ball one.mtl", folder_ / "wood.png"));
-    write("scene.toml", "[[shapes]]\npath = \"ball.obj\"\n");
-    EXPECT_THAT(
-        named_by("scene.toml"),
-        UnorderedElementsAre(folder_ / "ball.obj", folder_ / "ball one.mtl", folder_ / "wood.png"));
 }
 
 TEST_F(NamedFiles, LinesLongerThanAPathAreNotLookedThrough) {

@@ -101,6 +101,12 @@ PigmentFile parse_pigment_file(std::string_view text, const std::string& filenam
     return read_pigment(document, volume_fraction);
 }
 
+PigmentFile parse_pigment_file(const TypedFile& file, double volume_fraction) {
+    const std::shared_ptr<TomlDocument> document = TomlDocument::of(file);
+    document->set_references({});
+    return read_pigment(*document, volume_fraction);
+}
+
 PigmentFile find_pigment(const std::string& name, double volume_fraction) {
     for (const ShippedPigment& pigment : shipped_pigments()) {
         if (pigment.name == name) {

@@ -36,6 +36,8 @@ struct PigmentFile {
 /// @throws InputError naming file, line, key, value and allowed range
 PigmentFile parse_pigment_file(std::string_view text, const std::string& filename,
                                double volume_fraction);
+/// The same of a file that has been told apart; it may name no files.
+PigmentFile parse_pigment_file(const TypedFile& file, double volume_fraction);
 
 /// A pigment that ships, by its name, or the file of one: what ends in .toml.
 /// @throws InputError as parse_pigment_file(), naming those that ship if it is neither

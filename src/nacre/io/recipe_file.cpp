@@ -142,11 +142,7 @@ std::vector<paint::ParameterCorrelation> read_correlations(
     return correlations;
 }
 
-}  // namespace
-
-RecipeFile parse_recipe_file(std::string_view text, const std::string& filename,
-                             const References& references) {
-    TomlDocument document(text, filename, references);
+RecipeFile read_recipe_file(TomlDocument& document, std::string_view text) {
     paint::Recipe recipe;
     const paint::Described described(recipe);
     const TableReader table(document, keys_of(described));
@@ -166,9 +162,21 @@ RecipeFile parse_recipe_file(std::string_view text, const std::string& filename,
     file.bounds = read_bounds(table, file.recipe);
     file.deviations = read_deviations(table, file.recipe);
     file.correlations = read_correlations(table, file.recipe, file.deviations);
-    file.source =
-        std::make_shared<const RecipeSource>(RecipeSource{std::string(text), filename, references});
+    file.source = std::make_shared<const RecipeSource>(
+        RecipeSource{std::string(text), document.filename(), document.references()});
     return file;
+}
+
+}  // namespace
+
+RecipeFile parse_recipe_file(std::string_view text, const std::string& filename,
+                             const References& references) {
+    TomlDocument document(text, filename, references);
+    return read_recipe_file(document, text);
+}
+
+RecipeFile parse_recipe_file(const TypedFile& file) {
+    return read_recipe_file(*TomlDocument::of(file), file.bytes);
 }
 
 RecipeFile read_recipe_file(const std::filesystem::path& path) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nacre/core/references.h"
+#include "nacre/io/file_kind.h"
 #include "nacre/paint/parameter_correlation.h"
 #include "nacre/paint/parameter_deviation.h"
 #include "nacre/paint/recipe.h"
@@ -53,6 +54,8 @@ struct RecipeFile {
 RecipeFile read_recipe_file(const std::filesystem::path& path);
 RecipeFile parse_recipe_file(std::string_view text, const std::string& filename,
                              const References& references);
+/// The same of a file that has been told apart, whatever it was found to be.
+RecipeFile parse_recipe_file(const TypedFile& file);
 
 /// The recipe as TOML that parses back to an equal recipe, without need of any other file:
 /// materials that are not among those shipped are written out sample by sample.

@@ -8,7 +8,6 @@
 #include "nacre/core/csv.h"
 #include "nacre/core/error.h"
 #include "nacre/core/text.h"
-#include "nacre/io/file_kind.h"
 #include "nacre/io/measurement_columns.h"
 
 namespace nacre::io {
@@ -137,13 +136,14 @@ class NestingScan {
 
 }  // namespace
 
-TomlDocument::TomlDocument(std::string_view text, std::string filename, References references)
+TomlDocument::TomlDocument(std::string_view text, std::string filename, References references,
+                           std::optional<FileKind> kind)
     : filename_(std::move(filename)), references_(std::move(references)) {
     if (text.size() > kMaxTextBytes) {
         throw InputError(fmt::format("{}: has {} bytes; at most {} are allowed", filename_,
                                      text.size(), kMaxTextBytes));
     }
-    refuse_other_kind(text);
+    if (references_.may_quote()) refuse_other_kind(kind ? *kind : kind_of_bytes(text));
     require_utf8(text, filename_);
     NestingScan(text, filename_).run();
     try {
@@ -164,9 +164,12 @@ TomlDocument::TomlDocument(std::string_view text, std::string filename, Referenc
     }
 }
 
-void TomlDocument::refuse_other_kind(std::string_view text) const {
-    if (!references_.may_quote()) return;
-    const FileKind kind = kind_of_bytes(text);
+std::shared_ptr<TomlDocument> TomlDocument::of(const TypedFile& file) {
+    if (file.toml) return file.toml;
+    return std::make_shared<TomlDocument>(file.bytes, file.name, file.references);
+}
+
+void TomlDocument::refuse_other_kind(FileKind kind) const {
     // An empty text is an empty table, and its reader says what it lacks.
     if (kind == FileKind::text || kind == FileKind::empty || kind == FileKind::other_encoding) {
         return;

@@ -4,10 +4,14 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "nacre/core/references.h"
+#include "nacre/io/file_kind.h"
 
 namespace nacre::io {
 
@@ -25,13 +29,24 @@ inline constexpr std::size_t kMaxShownLength = 60;
 /// key.
 class TomlDocument {
  public:
+    /// @param kind  kind_of_bytes() of the text, where that is known already
     /// @throws InputError with file, line and column if the text is not TOML, not UTF-8, too large or
     ///         nested too deeply; naming what it is instead where that shows (io/file_kind.h)
-    TomlDocument(std::string_view text, std::string filename, References references);
+    TomlDocument(std::string_view text, std::string filename, References references,
+                 std::optional<FileKind> kind = {});
+
+    /// It is moved, not copied: a copy of the tree has no places.
+    TomlDocument(TomlDocument&&) = default;
+    TomlDocument& operator=(TomlDocument&&) = default;
+
+    /// The document of a file that has been told apart; where it has none, one is made of its bytes.
+    /// @throws InputError as above where they are no TOML
+    static std::shared_ptr<TomlDocument> of(const TypedFile& file);
 
     const toml::table& root() const { return root_; }
     const std::string& filename() const { return filename_; }
     const References& references() const { return references_; }
+    void set_references(References references) { references_ = std::move(references); }
 
     /// "file:line:column: ".
     std::string place(const toml::source_region& where) const;
@@ -41,7 +56,7 @@ class TomlDocument {
     std::string location(std::string key) const;
 
  private:
-    void refuse_other_kind(std::string_view text) const;
+    void refuse_other_kind(FileKind kind) const;
 
     toml::table root_;
     std::string filename_;

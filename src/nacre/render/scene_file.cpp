@@ -94,13 +94,18 @@ std::string without_negative_light(std::vector<float>& rgb, const std::string& n
 
 SceneDescription parse_scene(std::string_view text, const std::string& filename,
                              const References& references) {
-    io::TomlDocument document(text, filename, references);
-    if (document.root().contains("ior") && io::file_kind(text) == io::FileKind::recipe) {
+    return parse_scene(io::typed_file(std::string(text), filename, references));
+}
+
+SceneDescription parse_scene(const io::TypedFile& file) {
+    const std::shared_ptr<io::TomlDocument> parsed = io::TomlDocument::of(file);
+    io::TomlDocument& document = *parsed;
+    if (file.kind == io::FileKind::recipe && document.root().contains("ior")) {
         throw InputError(fmt::format(
-            "{}: is a recipe; needed here is a scene, whose paint it may be", filename));
+            "{}: is a recipe; needed here is a scene, whose paint it may be", file.name));
     }
     SceneDescription scene;
-    scene.references = references;
+    scene.references = file.references;
     const paint::Described described(scene);
     const io::TableReader table(document, keys_of(described));
     io::read_described(table, described);
@@ -127,7 +132,8 @@ SceneDescription read_scene(const std::filesystem::path& path) {
 }
 
 SceneDescription read_scene(const std::filesystem::path& path, const References& references) {
-    return parse_scene(read_file(path, io::kMaxTextBytes), path.string(), references);
+    return parse_scene(
+        io::typed_file(read_file(path, io::kMaxTextBytes), path.string(), references));
 }
 
 }  // namespace nacre::render

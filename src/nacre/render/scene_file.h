@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "nacre/core/references.h"
+#include "nacre/io/file_kind.h"
 #include "nacre/render/scene.h"
 
 // Scenes as TOML. Every key with its unit and range: docs/scene.md.
@@ -25,6 +26,8 @@ SceneDescription read_scene(const std::filesystem::path& path, const References&
 /// The same from a text. `filename` is for messages; `references` are the files that it may name.
 SceneDescription parse_scene(std::string_view text, const std::string& filename,
                              const References& references);
+/// The same of a file that has been told apart, whatever it was found to be.
+SceneDescription parse_scene(const io::TypedFile& file);
 
 /// Sets negative values of a picture of light to 0 and says so; leaves them where they are too much.
 /// @param name  for the message

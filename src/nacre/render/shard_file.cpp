@@ -250,12 +250,12 @@ void write_shard(const std::filesystem::path& path, const PictureShard& shard) {
 }
 
 PictureShard parse_shard(std::string_view bytes, const std::string& name) {
-    const io::FileKind kind = io::kind_of_bytes(bytes);
+    const io::FileKind kind = io::file_kind(bytes);
     if (kind != io::FileKind::picture_shard) {
         throw InputError(
             fmt::format("{}: is {}; a shard of a picture (nacre render --shard) is "
                         "needed here",
-                        name, io::words_for(io::file_kind(bytes))));
+                        name, io::words_for(kind)));
     }
     PictureShard shard;
     io::read_sealed(kShardFormat, bytes, name, [&](hid_t file) { shard = read_contents(file); });

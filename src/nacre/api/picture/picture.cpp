@@ -76,8 +76,13 @@ class Painter {
                 "slot", fmt::format("the material {} has no recipe, and there is no paint for it",
                                     material));
         }
-        opened_.push_back(
-            {path, path.empty() ? *paints_.slot : open(path, references.beside(path)), {}});
+        const auto known = std::ranges::find(paints_.known, path.string(), &Paint::file);
+        const bool is_known = !path.empty() && known != paints_.known.end();
+        opened_.push_back({path,
+                           path.empty() ? *paints_.slot
+                           : is_known   ? *known
+                                        : open(path, references.beside(path)),
+                           {}});
         return opened_.size() - 1;
     }
 
@@ -208,20 +213,31 @@ Scene::Scene(render::SceneDescription description, const ScenePaints& paints,
     render::PaintTable table;
     std::map<std::string, std::string> shown;
     std::optional<Model> shown_by;  // that of recipes, or where there are none that of tables
+    // Of the materials, the positions of their paints, all of which are read before the first is solved.
+    std::map<std::string, std::size_t> painted;
+    const auto naming_place = [](const render::PaintMaterial& wanted, const auto& work) {
+        try {
+            work();
+        } catch (const InputError& error) {
+            // The paint of the slot is not of the scene.
+            if (wanted.recipe.empty()) throw;
+            throw InputError(wanted.named_at.place + error.what());
+        }
+    };
     for (const auto& [name, material] : description.materials) {
         const auto* wanted = std::get_if<render::PaintMaterial>(&material);
         if (!wanted) continue;
-        std::size_t found = 0;
-        try {
-            found = painter.find(wanted->recipe, name, description.references);
+        naming_place(*wanted, [&, &name = name] {
+            painted[name] = painter.find(wanted->recipe, name, description.references);
+        });
+    }
+    for (const auto& [name, found] : painted) {
+        const auto& wanted = std::get<render::PaintMaterial>(description.materials.at(name));
+        naming_place(wanted, [&, &name = name, found = found] {
             const std::optional<Model> model = painter.model_on(description, name, found);
             table[name] = painter.look(found, model);
             if (model) model_settings_[name] = model->text();
-        } catch (const InputError& error) {
-            // The paint of the slot is not of the scene.
-            if (wanted->recipe.empty()) throw;
-            throw InputError(wanted->named_at.place + error.what());
-        }
+        });
         const Paint& paint = painter.paint(found);
         const auto require_shown = [&, &name = name](const char* key, bool is_there, bool shown) {
             if (!is_there || shown) return;

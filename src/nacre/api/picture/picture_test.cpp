@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <stdexcept>
 
 #include "nacre/core/file.h"
 #include "nacre/render.h"
@@ -262,6 +263,45 @@ type = "constant"
     EXPECT_THAT(message((folder / "glass.csv").string(), within), HasSubstr("is outside"));
     EXPECT_EQ(message("../../glass.csv", References::anywhere(folder / "scene")), "accepted");
     EXPECT_THAT(message("../glass.csv", {}), HasSubstr("may name none"));
+}
+
+TEST(Picture, AllPaintsOfASceneAreReadBeforeTheFirstIsSolved) {
+    const test::TempFolder folder;
+    const std::string recipe =
+        "ior = \"@.csv\"\n[[layer]]\nthickness_um = 5\n[[layer.flakes]]\n"
+        "area_density_per_um = 0.1\nreflectance = 0.6\n"
+        "orientation = { distribution = \"beckmann\", alpha = 0.3 }\n";
+    std::string scene = "[environment]\ntype = \"constant\"\n";
+    for (const char* name : {"a", "b"}) {
+        folder.write(name + std::string(".csv"), "wavelength_nm,n\n380,1.5\n780,1.5\n");
+        folder.write(name + std::string(".toml"), test::replaced(recipe, "@", name));
+        scene +=
+            test::replaced(
+                test::replaced("[materials.@]\ntype = \"paint\"\nrecipe = \"@.toml\"\n", "@", name),
+                "@", name) +
+            test::replaced("[[shapes]]\ntype = \"sphere\"\nmaterial = \"@\"\n", "@", name);
+    }
+    const std::string file = folder.write("scene.toml", scene).string();
+    std::vector<std::string> named;
+    const References checked =
+        References::of_file(file).checked_by([&](const std::filesystem::path& path) {
+            named.push_back(path.filename().string());
+            if (named.back() == "b.csv") throw std::runtime_error("is an output");
+        });
+    int steps = 0;
+    const Progress count = [&](double) { return ++steps > 0; };
+    EXPECT_THAT([&] { Scene(find_scene(file, checked), {.model = MicroflakeModel{}}, count); },
+                testing::ThrowsMessage<std::runtime_error>("is an output"));
+    EXPECT_THAT(named, testing::ElementsAre("a.toml", "b.toml", "a.csv", "b.csv"));
+    EXPECT_EQ(steps, 0);
+    // Of another picture of the scene nothing is read again.
+    const Scene once(find_scene(file), {.model = MicroflakeModel{}}, count);
+    EXPECT_GT(steps, 0);
+    steps = 0;
+    for (const char* gone : {"a.toml", "b.toml"}) std::filesystem::remove(folder / gone);
+    const Scene again(find_scene(file), {.model = MicroflakeModel{}, .known = once.paints()},
+                      count);
+    EXPECT_EQ(again.sha256(), once.sha256());
 }
 
 }  // namespace
