@@ -170,7 +170,7 @@ void describe_solution(Facts& facts, const solver::SolvedPaint& paint) {
     facts.add("azimuthal orders", "{}, tail {:.2g} of the peak", paint.report.orders,
               paint.report.azimuthal_tail);
     facts.add("unresolved scattering", "{:.2g}", paint.report.unresolved_scattering);
-    facts.add("remainder", "rank {}, {} coefficients", paint.multiple_scattering.rank(),
+    facts.add("multiple scattering", "rank {}, {} coefficients", paint.multiple_scattering.rank(),
               paint.multiple_scattering.coefficient.size());
 }
 
