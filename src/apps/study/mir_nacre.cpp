@@ -307,9 +307,8 @@ void add_query_costs(MirContext& context) {
         "512 holds some 3000 of them, and a sample's patch, the 1024th part of that, three. Of "
         "whole pixels facets have to be counted by the thousand, and there `nacre` gains most. "
         "With few of them neither has much to count: what is left is finding the patch's flakes "
-        "and what does not depend on flakes: Fresnel terms, layers and the multiple scattering of "
-        "the "
-        "solver, which `special-effect` does not have.");
+        "and what does not depend on flakes: Fresnel terms, layers and multiple scattering, which "
+        "`special-effect` does not have.");
 }
 
 // Error against a converged picture by time: single flakes against single facets.
