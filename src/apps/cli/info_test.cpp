@@ -102,7 +102,7 @@ TEST_F(Info, OpensWhatNacreWrites) {
     EXPECT_THAT(told("gray.bsdf"), HasSubstr("RGL"));
     EXPECT_THAT(told("picture.exr"), HasSubstr("size: 2 x 2 pixels"));
     EXPECT_THAT(told("picture.png"), HasSubstr("kind: picture"));
-    EXPECT_THAT(told("share.h5"),
+    EXPECT_THAT(told("shard.h5"),
                 AllOf(HasSubstr("kind: shard 2/3 of a picture"),
                       HasSubstr("samples: 1 of 4 per pixel"), HasSubstr("nacre:scene: sphere")));
 }

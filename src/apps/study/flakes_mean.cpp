@@ -235,7 +235,7 @@ void add_means(FlakesContext& context, const Progress& progress) {
                                   {"discs", exit.discs.value},
                                   {"error", exit.discs.standard_error},
                                   {"transfer", exit.transfer.value},
-                                  {"gain_only", exit.gain_only.value},
+                                  {"gain_alone", exit.gain_only.value},
                                   {"nacre", exit.nacre.value}});
             if (exit.discs.value < kDim * exits[0].discs.value) continue;
             worst[0] = farther(worst[0], exit.transfer.value);

@@ -162,7 +162,7 @@ void add_count_ratios(MirContext& context, const std::vector<double>& counts) {
              report::number_cell(fmt::format("{:.2f}", facets)),
              report::number_cell(fmt::format("{:.2f}", flakes)),
              report::number_cell(fmt::format("{:.2f}", set.paper.max_min_ratio()))});
-        results["max_min_ratio"] = {
+        results["most_over_fewest"] = {
             {"facets", facets}, {"flakes", flakes}, {"paper", set.paper.max_min_ratio()}};
     }
     context.table("table-2-ratios", table);

@@ -31,7 +31,7 @@ void write_settings(hid_t file, const solver::SolverSettings& settings) {
         write_group(file, "settings", "how finely to solve; 0: chosen from the recipe");
     write_attribute(group, "exit_nodes", settings.exit_nodes);
     write_attribute(group, "inner_nodes", settings.inner_nodes);
-    write_attribute(group, "max_orders", settings.max_orders);
+    write_attribute(group, "most_orders", settings.max_orders);
     write_attribute(group, "tolerance", settings.tolerance);
 }
 
@@ -146,7 +146,7 @@ solver::SolvedPaint read_contents(hid_t file, const std::string& name) {
         const Hdf5Handle group(H5Gopen2(file, "settings", H5P_DEFAULT), "open group settings");
         paint.settings = {
             read_int_attribute(group, "exit_nodes"), read_int_attribute(group, "inner_nodes"),
-            read_int_attribute(group, "max_orders"), read_double_attribute(group, "tolerance")};
+            read_int_attribute(group, "most_orders"), read_double_attribute(group, "tolerance")};
     }
     {
         const Hdf5Handle group(H5Gopen2(file, "report", H5P_DEFAULT), "open group report");
