@@ -215,15 +215,15 @@ def test_files_of_paints(nacre_program: Run, paints: Path, tmp_path: Path) -> No
         paint.write(tmp_path / "python.xml")
 
 
-def test_shares_of_a_picture(nacre_program: Run, paints: Path, tmp_path: Path) -> None:
+def test_shards_of_a_picture(nacre_program: Run, paints: Path, tmp_path: Path) -> None:
     file = paints / "flip-flop.toml"
 
-    def share(number: int) -> nacre.Picture:
+    def shard(number: int) -> nacre.Picture:
         return nacre.render(
             "panel", nacre.Paint(file), spp=3, size=(10, 6), sparkle=True, shard=(number, 2)
         )
 
-    share(1).write(tmp_path / "1.h5")
+    shard(1).write(tmp_path / "1.h5")
     options = ("--paint", file, "--spp", "3", "--size", "10x6", "--sparkle")
     nacre_program("render", "panel", *options, "--shard", "2/2", "-o", tmp_path / "2.h5")
     nacre_program("render", "panel", *options, "-o", tmp_path / "whole.exr")
@@ -234,16 +234,16 @@ def test_shares_of_a_picture(nacre_program: Run, paints: Path, tmp_path: Path) -
     for name, pixels in whole.channels.items():
         np.testing.assert_array_equal(merged.image.channels[name], pixels)
     assert (merged.shard, merged.samples, merged.complete) == (None, 3, True)
-    # A share is a picture as well, of fewer samples.
-    second = share(2)
+    # A shard is a picture as well, of fewer samples.
+    second = shard(2)
     assert (second.shard, second.samples, second.complete) == ((2, 2), 2, False)
     assert second.rgb.shape == (6, 10, 3)
     scene_sha256 = whole.metadata["nacre:scene_sha256"]
     assert second.image.metadata["nacre:scene_sha256"] == scene_sha256
-    with pytest.raises(nacre.InputError, match="shares are missing: 1/2"):
+    with pytest.raises(nacre.InputError, match="shards are missing: 1/2"):
         nacre.merge([tmp_path / "2.h5"])
     with pytest.raises(nacre.DomainError, match="shard = 3/2"):
-        share(3)
+        shard(3)
 
 
 def test_picture(nacre_program: Run, paints: Path, tmp_path: Path) -> None:

@@ -39,12 +39,12 @@ def test_shares_on_two_workers(
     whole = tmp_path / "whole.exr"
     picture = ("render", "macro", "--paint", "ruby", *CHANGED, *PICTURE, "--sparkle")
     nacre_program(*picture, "-o", whole)
-    file = tmp_path / "shares.exr"
+    file = tmp_path / "shards.exr"
     options = ("--shards", "3", "--workers", "2", "-o", str(file))
     assert cli.main([*picture, *options]) == 0
     assert capsys.readouterr().out == f"{file}\n"
     same_files(file, whole)
-    assert not (tmp_path / "shares.shares").exists()
+    assert not (tmp_path / "shards.shards").exists()
 
 
 def test_a_worker_that_is_killed_loses_nothing(whole: Path, tmp_path: Path) -> None:
@@ -93,11 +93,11 @@ echo $(wc -l < {tmp_path}/calls)
     calls = (tmp_path / "calls").read_text().splitlines()
     assert len(calls) == 2
     assert "--dependency=afterok:1" in calls[1]
-    assert "#SBATCH --partition=day" in (tmp_path / "turn.shares" / "merge.sh").read_text()
+    assert "#SBATCH --partition=day" in (tmp_path / "turn.shards" / "merge.sh").read_text()
     nacre_program(*scene, *turning, "-o", tmp_path / "one.exr")
     for frame in ("0003", "0004"):
         same_files(tmp_path / f"turn.{frame}.exr", tmp_path / f"one.{frame}.exr")
-    assert not list((tmp_path / "turn.shares").glob("*.h5"))
+    assert not list((tmp_path / "turn.shards").glob("*.h5"))
 
 
 def test_what_is_there_is_kept(tmp_path: Path) -> None:

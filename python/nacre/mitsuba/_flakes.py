@@ -46,8 +46,8 @@ class Sparkle(MeanFlakes):
             for field, outline, levels in zip(model.fields, self.outlines, self.levels, strict=True)
         ]
         resolved = mi.Float(0)
-        for share, levels in zip(model.shares, self.levels, strict=True):
-            resolved = dr.fma(share, levels.resolved, resolved)
+        for fraction, levels in zip(model.fractions, self.levels, strict=True):
+            resolved = dr.fma(fraction, levels.resolved, resolved)
         self.resolved = dr.select(self.shown, resolved, 0)
         # By which draw() takes flakes, in sum; after survey(), or the value of any pair.
         self.total = mi.Float(0)
@@ -65,7 +65,7 @@ class Sparkle(MeanFlakes):
         self.total, slope, radius = mi.Float(0), mi.Vector2f(0), mi.Float(1e-3)
         for s, field in enumerate(self.model.fields):
             flake, total = self.cells[s].draw(random)
-            weight = self.model.shares[s] * total
+            weight = self.model.fractions[s] * total
             self.total = self.total + weight
             # As in Cells.draw().
             random = mix_bits_32(random ^ mi.UInt32(s + 1))
@@ -127,8 +127,8 @@ class Sparkle(MeanFlakes):
             answer,
             (model.smooth.bands.constant(0), mi.Float(0)),
         )
-        self.density_sum = dr.fma(model.shares[s], density, self.density_sum)
-        self.total = dr.fma(model.shares[s], total, self.total)
+        self.density_sum = dr.fma(model.fractions[s], density, self.density_sum)
+        self.total = dr.fma(model.fractions[s], total, self.total)
         background = 1 - levels.resolved * part
         mean = hot_spot.mean(pair, layer, depth) if hot_spot else 1
         return dr.select(self.shown, background * mean + reflected / mean_escape(depth), mean)
@@ -205,7 +205,7 @@ class SparkleModel:
             for flake in layer["flakes"]
         ]
         total = max(float(sum(cover)), 1e-30)
-        self.shares = [float(c) / total for c in cover]
+        self.fractions = [float(c) / total for c in cover]
         self.first_species = [0]
         for layer in a["layers"]:
             self.first_species.append(self.first_species[-1] + len(layer["flakes"]))

@@ -18,7 +18,7 @@ same() { cmp "$1.exr" "$2.exr" && cmp "$1.png" "$2.png"; }
 render() { python3 -m nacre.library render "$@" --slurm; }
 
 start_cluster
-echo "a picture in 6 shares"
+echo "a picture in 6 shards"
 picture=(macro --paint glitter-100um --size 160x120 --sparkle)
 "$program" render "${picture[@]}" --spp 24 --quiet -o whole.exr
 render "${picture[@]}" --spp 24 --shards 6 -o shards.exr
