@@ -79,11 +79,11 @@ class Sampling:
         narrow, wide = table * single * 0.9, table * (single * 0.1 + (1 - single) * 0.4)
         even = diffuse + table * (1 - single) * 0.6
         probabilities = np.stack([interface, narrow, wide, even], axis=-1)
-        self.probabilities = column_texture(probabilities)
+        self.probability_table = column_texture(probabilities)
 
     def probabilities(self, ray: Ray, specular: bool, rest: bool) -> tuple[Float, ...]:
         """Of the interface, both lobes of flakes, and evenly; they add up to 1."""
-        p = by_direction(self.probabilities, ray.x)
+        p = by_direction(self.probability_table, ray.x)
         interface, narrow, wide, even = (dr.detach(x) for x in p)
         if not rest:
             return (mi.Float(1), *(mi.Float(0),) * 3)

@@ -279,7 +279,7 @@ void describe_image(Facts& facts, const std::string& bytes, const std::string& n
 
 void describe_picture_shard(Facts& facts, const std::string& bytes, const std::string& name) {
     const render::PictureShard shard = render::parse_shard(bytes, name);
-    facts.add("kind", "share {}/{} of a picture (HDF5, format {}); nacre merge puts all together",
+    facts.add("kind", "shard {}/{} of a picture (HDF5, format {}); nacre merge puts all together",
               shard.shard.number, shard.shard.count, render::kShardFormatVersion);
     facts.add("bytes", "{}", bytes.size());
     facts.add("samples", "{} of {} per pixel", shard.sums.picture.passes.count,
