@@ -346,6 +346,12 @@ void require_finite_angle(const char* name, double deg) {
 }
 
 void bind_paint(nb::module_& module) {
+    // For plans of libraries, which are checked before anything is computed.
+    const auto bounds = [](const Range& range) {
+        return nb::make_tuple(static_cast<int>(range.lo), static_cast<int>(range.hi));
+    };
+    module.attr("RGL_RESOLUTION_RANGE") = bounds(RglSettings::kResolutionRange);
+    module.attr("RGL_INCIDENT_RANGE") = bounds(RglSettings::kIncidentRange);
     nb::class_<bsdf::Model>(module, "Model")
         .def(nb::new_(&configured_model), "name"_a, "options"_a)
         .def("text", &bsdf::Model::text)

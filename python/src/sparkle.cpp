@@ -74,6 +74,11 @@ nb::list lamps_of(SparkleReadings& readings) {
 }  // namespace
 
 void bind_sparkle(nb::module_& module) {
+    using measure::SparkleCamera;
+    // For plans of libraries, as those of RGL tables.
+    module.attr("SPARKLE_MAX_LAMPS") = static_cast<int>(SparkleCamera::kMaxLamps);
+    module.attr("SPARKLE_LAMP_RANGE_DEG") =
+        nb::make_tuple(SparkleCamera::kLampRange.lo, SparkleCamera::kLampRange.hi);
     module.def(
         "sparkle",
         [](const PaintHandle& handle, const Model& model, const std::vector<double>& lamps_deg,

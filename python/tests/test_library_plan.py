@@ -107,6 +107,9 @@ REFUSALS = {
     "[record]\nsolved = 1\n" + SWEEP: "record.solved = 1: must be true or false",
     '[record]\ngeometries = "byk-max"\n' + SWEEP: "did you mean 'byk-mac'",
     '[record]\nmodel = "glue"\n' + SWEEP: "record.model = 'glue'",
+    "[record.rgl]\nresolution = 513\n" + SWEEP: "must be a whole number in [4, 512]",
+    "[record.rgl]\nincidences = 257\n" + SWEEP: "must be a whole number in [2, 256]",
+    "[record.sparkle]\nlamps_deg = [86]\n" + SWEEP: "lamps_deg = 86: must be an angle in [0, 85]",
     '[record]\nilluminant = "D66"\n' + SWEEP: "illuminant 'D66' is unknown",
     "[record.thumbnails]\nball = { size = 8 }\n"
     + SWEEP: "record.thumbnails.ball.size = 8: must be",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from nacre import Error, Model, Paint, geometry_sets, model_names, scene_names
+from nacre import Error, Model, Paint, _nacre, geometry_sets, model_names, scene_names
 
 from .table import Table, is_number
 
@@ -109,11 +109,12 @@ def _sparkle(table: Table | None) -> SparkleSettings | None:
     if table is None:
         return None
     lamps = table.take("lamps_deg", [15, 45, 75])
-    if not isinstance(lamps, list) or not 1 <= len(lamps) <= 16:
-        raise table.wrong("lamps_deg", lamps, "a list of 1 to 16 angles")
+    if not isinstance(lamps, list) or not 1 <= len(lamps) <= _nacre.SPARKLE_MAX_LAMPS:
+        raise table.wrong("lamps_deg", lamps, f"a list of 1 to {_nacre.SPARKLE_MAX_LAMPS} angles")
+    lo, hi = _nacre.SPARKLE_LAMP_RANGE_DEG
     for lamp in lamps:
-        if not is_number(lamp) or not 0 <= lamp <= 85:
-            raise table.wrong("lamps_deg", lamp, "an angle in [0, 85]")
+        if not is_number(lamp) or not lo <= lamp <= hi:
+            raise table.wrong("lamps_deg", lamp, f"an angle in [{lo:g}, {hi:g}]")
     settings = SparkleSettings(
         tuple(float(lamp) for lamp in lamps),
         table.number("field_mm", 0.5, 100, 4),
@@ -129,8 +130,9 @@ def _sparkle(table: Table | None) -> SparkleSettings | None:
 def _rgl(table: Table | None) -> RglSettings | None:
     if table is None:
         return None
+    (res_lo, res_hi), (inc_lo, inc_hi) = _nacre.RGL_RESOLUTION_RANGE, _nacre.RGL_INCIDENT_RANGE
     settings = RglSettings(
-        table.whole("resolution", 4, 1024, 32), table.whole("incidences", 2, 1024, 32)
+        table.whole("resolution", res_lo, res_hi, 32), table.whole("incidences", inc_lo, inc_hi, 32)
     )
     table.done()
     return settings
