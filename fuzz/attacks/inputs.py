@@ -51,7 +51,7 @@ READERS: dict[str, list[list[str]]] = {
     "scene": [["render", "{}", *A_PICTURE], ["info", "{}", "--untrusted"]],
     "solved_paint": [["info", "{}"], ["eval", "{}", *IN_A_DIRECTION]],
     "brdf_table": [["info", "{}"], ["eval", "{}", "--table", "svd", *IN_A_DIRECTION]],
-    "picture_share": [["info", "{}"], ["merge", "{}", "-o", "out.exr"]],
+    "picture_shard": [["info", "{}"], ["merge", "{}", "-o", "out.exr"]],
     "rgl": [["info", "{}"], ["eval", "{}", *IN_A_DIRECTION]],
     "merl": [["info", "{}"], ["eval", "{}", *IN_A_DIRECTION]],
     "measurement": [["info", "{}"], ["measure", "{}"], ["measure", "gold.h5", "--versus", "{}"]],
