@@ -191,7 +191,7 @@ NB_MODULE(_render, module) {
         [](const std::vector<std::filesystem::path>& shards) {
             return nacre::merge_shards(shards);
         },
-        "shares"_a, nanobind::call_guard<nanobind::gil_scoped_release>());
+        "shards"_a, nanobind::call_guard<nanobind::gil_scoped_release>());
     module.def(
         "render",
         [](const std::filesystem::path& scene, const std::optional<PaintHandle>& paint,

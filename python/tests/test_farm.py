@@ -50,7 +50,7 @@ def folder(nacre_program: Run, paints: Path, tmp_path: Path) -> Path:
     return tmp_path
 
 
-def test_frames_in_shares_are_those_of_one_process(
+def test_frames_in_shards_are_those_of_one_process(
     folder: Path, nacre_program: Run, program_path: Path
 ) -> None:
     done = run(folder, program_path, Shards=3, Frames="0-2:2", Turntable="camera", StepDegrees=-7.5)
@@ -72,7 +72,7 @@ def test_frames_in_shares_are_those_of_one_process(
         assert file.read_bytes() == one.read_bytes(), file.name
 
 
-def test_a_share_that_fails_ends_the_job(folder: Path, program_path: Path) -> None:
+def test_a_shard_that_fails_ends_the_job(folder: Path, program_path: Path) -> None:
     done = run(folder, program_path, Shards=7)
     assert done.returncode != 0
     assert "--shard (of) = 7: must be a number in [1, 6]" in done.stdout

@@ -33,7 +33,7 @@ def whole(nacre_program: Run, tmp_path: Path) -> Path:
     return file
 
 
-def test_shares_on_two_workers(
+def test_shards_on_two_workers(
     nacre_program: Run, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     whole = tmp_path / "whole.exr"

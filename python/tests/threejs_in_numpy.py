@@ -124,9 +124,8 @@ class Shader:
             self.layers.append(one)
         self.gaps: list[Gaps] = []
         self.ground: int | None = None  # light from below that met no flake
-        self.compensation: int | None = (
-            None  # of the other multiple scattering, so that none is lost
-        )
+        # Of the other multiple scattering, so that no light is lost.
+        self.compensation: int | None = None
         if a["hot_spot"] is not None:
             for s in a["hot_spot"]["species"]:
                 coupling = channel(at_bands(s["coupling"]))

@@ -51,9 +51,9 @@ struct ScenePaints {
     std::optional<Model> model = {};
     /// Unless 0, in place of the model's own, also where that is none.
     std::uint64_t specimen = 0;
-    /// Those that need not be read and solved again where a material names their file: Scene::paints() of
-    /// another picture of the scene.
-    std::vector<Paint> known = {};
+    /// By the file that a material names, paints that need not be read and solved again:
+    /// Scene::named_paints() of another picture of the scene.
+    std::map<std::filesystem::path, Paint> known = {};
 };
 
 struct Picture {
@@ -73,7 +73,7 @@ struct Picture {
 ///         shard of another picture; if a shard is missing or there twice
 Picture merge_shards(std::span<const std::filesystem::path> files);
 
-/// A scene ready to be rendered; a value, copies shard what it holds.
+/// A scene ready to be rendered; a value, copies share what it holds.
 class Scene {
  public:
     /// Reads the files that the scene names and makes each paint once for all materials and shapes
@@ -86,6 +86,8 @@ class Scene {
 
     /// The paints on it, each once.
     const std::vector<Paint>& paints() const { return paints_; }
+    /// Those of recipes that materials name, by the file: not the slot's.
+    const std::map<std::filesystem::path, Paint>& named_paints() const { return named_paints_; }
     /// Of the recipes, by material.
     const std::map<std::string, std::string>& recipe_sha256() const { return recipe_sha256_; }
     /// Model::text() of the model that shows it, by material; of measured BRDFs none.
@@ -126,6 +128,7 @@ class Scene {
     bool shows_model_ = false;
     std::optional<std::uint64_t> specimen_;
     std::vector<Paint> paints_;
+    std::map<std::filesystem::path, Paint> named_paints_;
     std::map<std::string, std::string> recipe_sha256_, model_settings_;  // by material
     std::map<std::string, double> turned_deg_;
     std::optional<render::Scene> compiled_;

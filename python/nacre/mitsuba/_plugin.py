@@ -59,7 +59,7 @@ def _switch(props: Any, name: str, otherwise: bool) -> bool:
 
 
 def _model_of(props: Any) -> Model:
-    """One of the models that can be told in arrays, with its switches."""
+    """One of the models that are available as arrays, with its switches."""
     names = _nacre.models_with_arrays()
     name = str(props.get("model", _nacre.default_picture_model()))
     if name not in names:
@@ -133,9 +133,9 @@ def make_plugin() -> Any:
         specimen
             Of a model that shows single flakes. Which panel of the batch: the same number shows the
             same flakes as in Nacre.
-        hot_spot, ...
-            The switches of the model: of ``nacre``, light finds gaps between large flakes again on
-            its way out.
+        hot_spot
+            Of the model ``nacre``: light finds gaps between large flakes again on its way out.
+            Other models' switches go by their names too.
         footprint
             Sides of the patch of flakes that a sample shows, in pixels; 0, the default: so that the
             samples share out the pixel.

@@ -237,6 +237,7 @@ TEST_F(Program, WholeNumbersAreDecimal) {
 TEST_F(Program, RangesAreToldAsTheyAre) {
     EXPECT_THAT(nacre("solve gray.toml -o x.h5 --tolerance 0").err,
                 HasSubstr("--tolerance: Value 0 not in range 1e-12 to 0.1"));
+    EXPECT_EQ(nacre("solve gray.toml -o x.h5 --tolerance 1e-12").status, 0);
     for (const char* gamut : {"p3", "1"}) {
         const Outcome outcome =
             nacre(std::string("render sphere --paint gray.toml -o x.exr --gamut ") + gamut);

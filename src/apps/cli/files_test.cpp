@@ -81,6 +81,12 @@ TEST_F(Files, AnOutputIsNoInput) {
     fs::create_symlink("ball.obj", folder_ / "ball.toml");
     fs::create_symlink("gray.toml", folder_ / "link.csv");
     fs::create_hard_link(folder_ / "gray.toml", folder_ / "same.csv");
+    for (const std::string mesh : {"triangle.gltf", "ball.obj"}) {
+        write("below/" + mesh + ".toml", "[[shapes]]\ntype = \"mesh\"\npath = \"../" + mesh +
+                                             "\"\nmaterial = \"paint\"\n[materials.paint]\n"
+                                             "type = \"diffuse\"\nreflectance = 0.5\n"
+                                             "[environment]\ntype = \"constant\"\n");
+    }
     const std::string walk = " --incident 45 --outgoing 0 --samples 2 ";
     for (const std::string arguments :
          {"solve gray.toml -o gray.toml",
@@ -132,6 +138,8 @@ TEST_F(Files, AnOutputIsNoInput) {
           "render below/scene.toml -o mesh.exr",
           "render below/scene.toml -o x.exr --report glass.toml",
           "render below/scene.toml -o x.exr --report glass.csv",
+          "render below/triangle.gltf.toml -o x.exr --report corners.bin",
+          "render below/ball.obj.toml -o x.exr --report ball.mtl",
           "render sphere --paint gray.toml -o x.exr --report gray.toml"}) {
         const std::string recipe = contents(folder_ / "gray.toml");
         const Outcome outcome = nacre(arguments);

@@ -51,7 +51,7 @@ Command add_solve(CLI::App& program);
 Command add_eval(CLI::App& program);
 Command add_reference(CLI::App& program);
 Command add_render(CLI::App& program);
-Command add_merge(CLI::App& program);  ///< shares of a picture
+Command add_merge(CLI::App& program);  ///< shards of a picture
 Command add_diff(CLI::App& program);
 Command add_info(CLI::App& program);
 Command add_studio(CLI::App& program);  ///< the page in the browser

@@ -235,7 +235,7 @@ ExitStatus render_frames(RenderCommandOptions options, const Painted& start,
         const double turn_deg = step_deg * static_cast<double>(frame);
         turned.description = render::turned(std::move(turned.description), turning, turn_deg);
         const bool is_first = !scene;
-        if (scene) turned.paints.known = scene->paints();
+        if (scene) turned.paints.known = scene->named_paints();
         scene = scene_of(options, std::move(turned));
         if (is_first) check_scene(options, *scene);
         // Noise that stays while the paint moves would look like dirt on the lens.

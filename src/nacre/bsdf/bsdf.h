@@ -149,10 +149,10 @@ struct BinderIndex {
 /// Optical depths of layers of flakes, along the layers' normal: extinction for one direction times the
 /// thickness. Divided by the direction's cosine they are those along it.
 struct OpticalDepths {
-    FloatLanes flake_extinction{};  ///< light that meets a flake and does not pass straight on
-    FloatLanes flake_scattering{};  ///< of it, what flakes reflect
-    FloatLanes pigment_extinction{};
-    FloatLanes pigment_absorption{};
+    FloatLanes flake_extinction{};    ///< light that meets a flake and does not pass straight on
+    FloatLanes flake_scattering{};    ///< of it, what flakes reflect
+    FloatLanes pigment_extinction{};  ///< scattered or absorbed by pigments
+    FloatLanes pigment_absorption{};  ///< of it, absorbed
 };
 
 /// What was scattered more than once, or by the ground.

@@ -41,7 +41,7 @@ namespace nacre::bsdf {
 ///
 ///     rho dI/dz = -s I + r I*,     rho* dI*/dz = s I* - r I,
 ///
-/// s the attenuation, r what flakes reflect of it. The solution is e^(kappa z) times that of flakes that lie
+/// s extinction by flakes and absorption by pigments, r what flakes reflect. The solution is e^(kappa z) times that of flakes that lie
 /// flat, kappa = s (1/rho* - 1/rho) / 2, with s (1/rho* + 1/rho) / 2 in place of s and r / sqrt(rho rho*) of r;
 /// the transmittance is
 ///
@@ -49,9 +49,10 @@ namespace nacre::bsdf {
 ///
 /// from_ground() is the flat paint's times t of the leaning over t of the flat flakes, in and out. The
 /// interface is met by light that flakes reflect upwards, hence in the frame of twice the lean. What it
-/// reflects down again makes the ground brighter by a factor B, from_ground() there over that along the normal.
-/// Flakes reflect sqrt(rho* / rho) as much towards it as flat ones do, so that here the factor is
-/// 1 / (1 - (1 - 1/B) sqrt(rho* / rho)): from_ground() is divided by B - (B - 1) sqrt(rho* / rho).
+/// reflects down again makes the ground brighter by a factor B >= 1: from_ground() there over that along
+/// the normal, both with their transmittances t. Flakes reflect sqrt(rho* / rho) as much towards it as flat
+/// ones do, so that here the factor is 1 / (1 - (1 - 1/B) sqrt(rho* / rho)): from_ground() is divided by
+/// B - (B - 1) sqrt(rho* / rho).
 ///
 /// Refracted directions beyond the critical angle of a flat coat over flat flakes do leave where flakes
 /// lean. The flat paint has none such; single and multiple scattering are then those of the pair with the

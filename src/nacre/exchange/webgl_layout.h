@@ -126,7 +126,7 @@ inline constexpr int kWebglFilmIntervals = 32;
 /// @throws DomainError if no texture is high enough
 WebglFilms webgl_films(const bsdf::SpeciesFilms& species);
 
-/// Declares shard0, shard1, ..., lengths by which the gaps of each species help light from the fraction
+/// Declares share0, share1, ..., lengths by which the gaps of each species help light from the fraction
 /// `u` of a layer's thickness, and returns ln of what they let through, for add_for_groups().
 std::string webgl_gain(const WebglShader::Layout& layout, std::size_t layer, const char* u,
                        const char* indent, WebglLines& lines);

@@ -201,8 +201,8 @@ class Reader final : public paint::Visitor {
         const std::vector<std::string> own = keys[one]();
         for (const auto& keys_of_one : keys) {
             for (const std::string& key : keys_of_one()) {
-                const bool exclusion = std::find(own.begin(), own.end(), key) == own.end();
-                if (exclusion && table_.has(key))
+                const bool is_excluded = std::find(own.begin(), own.end(), key) == own.end();
+                if (is_excluded && table_.has(key))
                     table_.fail(key, alternatives.each[one].exclusion);
             }
         }

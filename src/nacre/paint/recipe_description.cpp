@@ -425,7 +425,7 @@ constexpr Field kAnisotropy{.key = "anisotropy",
                                 "[-0.97, 0.97]",
                             .words = "g = {}"};
 
-void describe_shard(Visitor& visit, OptionalPigmentAmount& amount) {
+void describe_amount(Visitor& visit, OptionalPigmentAmount& amount) {
     visit(
         {.each = {{"", "goes with mass_fraction"}, {kVolumeKey}, {kMassKey}}, .both = kAmountTwice},
         amount);
@@ -538,7 +538,7 @@ void describe(Visitor& visit, PigmentCoefficients& pigment) {
            .words = "absorbs {}"},
           pigment.absorption_per_mm);
     visit(kAnisotropy, pigment.anisotropy);
-    describe_shard(visit, pigment.amount);
+    describe_amount(visit, pigment.amount);
 }
 
 void describe(Visitor& visit, PigmentKubelkaMunk& pigment) {
@@ -551,7 +551,7 @@ void describe(Visitor& visit, PigmentKubelkaMunk& pigment) {
                  .in_line = true},
                 Described(pigment.constants));
     visit(kAnisotropy, pigment.anisotropy);
-    describe_shard(visit, pigment.amount);
+    describe_amount(visit, pigment.amount);
 }
 
 void describe(Visitor& visit, KubelkaMunk& constants) {

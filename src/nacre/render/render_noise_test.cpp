@@ -60,7 +60,9 @@ TEST(RenderNoise, TheNoiseIsThatAgainstTheConvergedPicture) {
                 }
                 const double pixels = 96.0 * 96;
                 const double own = squares / (1 + 1.0 * samples / kMany);
-                ratio += *picture.noise / (std::sqrt(own / pixels) / (sum / pixels)) / kPictures;
+                const double one = *picture.noise / (std::sqrt(own / pixels) / (sum / pixels));
+                EXPECT_NEAR(one, 1, std::min(test::kWorstZ * spread, 0.35)) << name << ' ' << n;
+                ratio += one / kPictures;
             }
             EXPECT_NEAR(ratio, 1, test::kWorstZ * spread / std::sqrt(kPictures))
                 << name << ", " << samples;

@@ -237,7 +237,7 @@ std::string shard_bytes(const PictureShard& shard) {
             });
         }
         write_sums(file, "picture", shard.sums.picture,
-                   "sums over this shard's paths of each pixel, and over its passes");
+                   "sums over this share's paths of each pixel, and over its passes");
         if (shard.sums.probe) {
             write_sums(file, "probe", *shard.sums.probe,
                        "the same of the pixels that are rendered twice for the noise");

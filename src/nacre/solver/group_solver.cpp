@@ -32,7 +32,7 @@ constexpr int kMaxBlocksOfFew = 2;
 // Making a block takes the time of about so many of its orders.
 constexpr int kBlockWork = 10;
 
-// Solves wavelengths that fraction one index of the binder.
+// Solves wavelengths that share one index of the binder.
 class GroupSolver {
  public:
     // By order from 0 on, as members below.

@@ -7,7 +7,7 @@
 #include "nacre/solver/resolution.h"
 #include "nacre/solver/wavelength_groups.h"
 
-// Solves wavelengths that fraction one index of the binder, order by order.
+// Solves wavelengths that share one index of the binder, order by order.
 
 namespace nacre::solver {
 

@@ -133,7 +133,7 @@ PaintMedium make_medium(const paint::Recipe& recipe, const std::vector<double>& 
         medium.roughness = recipe.clearcoat->roughness;
     }
     const paint::Recipe whole = paint::expanded(recipe);
-    // Species of one kind of flake fraction their table, which takes longer than all else.
+    // Species of one kind of flake share their table, which takes longer than all else.
     struct Known {
         const paint::FlakeSpecies* species;
         std::size_t layer, flake;

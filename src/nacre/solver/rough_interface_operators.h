@@ -222,7 +222,7 @@ void for_each_facet_exit(double theta, double alpha, double n_incident, double n
 
 // The rough interface (rough_interface.h) as matrices for the solver, one set per azimuthal order.
 //
-// Psi is basic radiance times the square root of etendue, so that both sides fraction one scale and
+// Psi is basic radiance times the square root of etendue, so that both sides share one scale and
 // transmission inwards is the transpose of that outwards. The matrices are the Galerkin projections
 // of the kernel on the polynomials that the quadrature nodes interpolate,
 //

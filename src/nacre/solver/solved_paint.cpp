@@ -24,7 +24,7 @@ DoubleLanes map_lanes(const DoubleLanes& x, F&& f) {
     return make_lanes<DoubleLanes>([&](int i) { return f(x[i]); });
 }
 
-// Single scattering of one block whose wavelengths fraction the binder's index.
+// Single scattering of one block whose wavelengths share the binder's index.
 DoubleLanes single_block(const PaintMedium& medium, int block, double ior, double theta_i,
                          double theta_o, double phi, const LayerFactor& factor) {
     const double mu_i = inside_cosine(ior, theta_i), mu_o = inside_cosine(ior, theta_o);

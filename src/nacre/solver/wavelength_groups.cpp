@@ -166,7 +166,7 @@ PaintMedium select_wavelengths(const PaintMedium& medium, const std::vector<int>
 
 void merge_groups(const WavelengthGroups& groups, const std::vector<GroupSolution>& solutions,
                   double tolerance, SolvedPaint& paint) {
-    // All groups fraction the exit angles; orders that one group did without are zero there. The
+    // All groups share the exit angles; orders that one group did without are zero there. The
     // first active node can differ with the index: the smallest one holds them all.
     std::vector<int> first;
     for (const GroupSolution& s : solutions) {

@@ -267,8 +267,8 @@ TEST(FlakeField, SkewnessIsThatOfTheFlakesThatStandForMany) {
         // Of all flakes: W = 1/M inside the patch; K = 3 (1 - u)^2 / (pi r^2), u even in [0, 1], so
         // Int K^3 = 27/7 / (pi r^2)^2 against Int K^2 = 9/5 / (pi r^2): the skewness is
         // (27/7) / (9/5)^(3/2) / sqrt(reflecting), reflecting = M P pi r^2. Levels of fractions rho_l
-        // that are shown with weights w_l, and lobes B times as wide, have
-        //     Sum_l rho_l w_l^3 / (Sum_l rho_l w_l^2)^(3/2) / B
+        // that are shown with weights u_l, and lobes B times as wide, have
+        //     Sum_l rho_l u_l^3 / (Sum_l rho_l u_l^2)^(3/2) / B
         // times that: 1 if those shown weighed all the same and B were the root of how many each
         // stands for. As levels fade one by one, and B ends short of that root, it is a third more.
         // The rims of the patch, which take 0.4 %, and the bend of P, which adds 1 % where lobes are

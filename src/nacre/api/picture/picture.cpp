@@ -76,12 +76,11 @@ class Painter {
                 "slot", fmt::format("the material {} has no recipe, and there is no paint for it",
                                     material));
         }
-        const auto known = std::ranges::find(paints_.known, path.string(), &Paint::file);
-        const bool is_known = !path.empty() && known != paints_.known.end();
+        const auto known = paints_.known.find(path);
         opened_.push_back({path,
-                           path.empty() ? *paints_.slot
-                           : is_known   ? *known
-                                        : open(path, references.beside(path)),
+                           path.empty()                   ? *paints_.slot
+                           : known != paints_.known.end() ? known->second
+                                                          : open(path, references.beside(path)),
                            {}});
         return opened_.size() - 1;
     }
@@ -90,6 +89,13 @@ class Painter {
     std::vector<Paint> all() const {
         std::vector<Paint> paints;
         for (const Opened& one : opened_) paints.push_back(one.paint);
+        return paints;
+    }
+    std::map<fs::path, Paint> named() const {
+        std::map<fs::path, Paint> paints;
+        for (const Opened& one : opened_) {
+            if (!one.path.empty()) paints.emplace(one.path, one.paint);
+        }
         return paints;
     }
 
@@ -263,6 +269,7 @@ Scene::Scene(render::SceneDescription description, const ScenePaints& paints,
                                   painter.model_of(found).text());
     }
     paints_ = painter.all();
+    named_paints_ = painter.named();
     shows_model_ = shown_by.has_value();
     model_name_ = shown_by        ? shown_by->info().name
                   : table.empty() ? painter.model().info().name

@@ -299,9 +299,34 @@ TEST(Picture, AllPaintsOfASceneAreReadBeforeTheFirstIsSolved) {
     EXPECT_GT(steps, 0);
     steps = 0;
     for (const char* gone : {"a.toml", "b.toml"}) std::filesystem::remove(folder / gone);
-    const Scene again(find_scene(file), {.model = MicroflakeModel{}, .known = once.paints()},
+    const Scene again(find_scene(file), {.model = MicroflakeModel{}, .known = once.named_paints()},
                       count);
     EXPECT_EQ(again.sha256(), once.sha256());
+}
+
+TEST(Picture, APaintOfTheSlotIsNotTakenForTheFileThatItWasReadFrom) {
+    const test::TempFolder folder;
+    folder.write(
+        "a.toml",
+        "ior = 1.5\n[[layer]]\nthickness_um = 5\n[[layer.flakes]]\narea_density_per_um = 0.1\n"
+        "reflectance = 0.6\norientation = { distribution = \"beckmann\", alpha = 0.3 }\n");
+    const std::string file =
+        folder
+            .write("scene.toml",
+                   "[environment]\ntype = \"constant\"\n"
+                   "[materials.Slot]\ntype = \"paint\"\n"  // comes before the other
+                   "[materials.named]\ntype = \"paint\"\nrecipe = \"a.toml\"\n"
+                   "[[shapes]]\ntype = \"sphere\"\nmaterial = \"Slot\"\n"
+                   "[[shapes]]\ntype = \"sphere\"\nmaterial = \"named\"\n")
+            .string();
+    const Paint read = open(folder / "a.toml"), slot = read.with(read.whole_key("alpha"), 0.4);
+    const Scene once(find_scene(file), {.slot = slot, .model = MicroflakeModel{}});
+    const Scene again(find_scene(file),
+                      {.slot = slot, .model = MicroflakeModel{}, .known = once.named_paints()});
+    EXPECT_EQ(once.paints().size(), 2u);
+    EXPECT_EQ(once.named_paints().size(), 1u);
+    EXPECT_EQ(again.recipe_sha256(), once.recipe_sha256());
+    EXPECT_EQ(again.recipe_sha256().at("named"), read.recipe_sha256());
 }
 
 }  // namespace

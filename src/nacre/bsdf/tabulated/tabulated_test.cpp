@@ -19,7 +19,7 @@ namespace {
 
 using test::metallic;
 
-const Wavelengths kUnsolvedAngles = {418, 456, 493, 531, 568, 606, 643, 681};
+const Wavelengths kUnsolvedWavelengths = {418, 456, 493, 531, 568, 606, 643, 681};
 
 const spectra::Spectrum kGold({400.0, 500.0, 700.0}, {0.3, 0.5, 0.9});
 
@@ -51,7 +51,7 @@ FloatLanes expected(const solver::SolvedPaint& paint, double theta_i, double the
     return make_lanes([&](int lane) {
         double sum = 0;
         for (int j = 0; j < 3; ++j) {
-            sum += rgb[j] * spectra::linear_rec709_basis()[j](kUnsolvedAngles[lane]);
+            sum += rgb[j] * spectra::linear_rec709_basis()[j](kUnsolvedWavelengths[lane]);
         }
         return static_cast<float>(std::max(0.0, sum));
     });
@@ -61,7 +61,7 @@ FloatLanes expected(const solver::SolvedPaint& paint, double theta_i, double the
 template <class Table>
 double worst_error(const solver::SolvedPaint& paint, std::shared_ptr<const Table> table,
                    double step_deg = 4.3) {
-    const auto bound = Tabulated(table).bind(kUnsolvedAngles);
+    const auto bound = Tabulated(table).bind(kUnsolvedWavelengths);
     double worst = 0;
     for (const double theta_i : {0.1, 20.0, 45.0, 60.0, 75.0, 85.0, 89.0}) {
         double peak = 0, error = 0;
@@ -109,17 +109,17 @@ TEST(Tabulated, FollowsARoughInterface) {
 TEST(Tabulated, GreyIsTheSameAtEveryWavelength) {
     const Tables model(metallic(0.2, 0.6), {64, 32});
     const FloatLanes f =
-        Tabulated(model.raw).bind(kUnsolvedAngles)->eval(direction(45, 0), direction(40, 170));
+        Tabulated(model.raw).bind(kUnsolvedWavelengths)->eval(direction(45, 0), direction(40, 170));
     for (int lane = 1; lane < kLanes; ++lane) EXPECT_NEAR(f[lane], f[0], 1e-5 * f[0]);
 }
 
 TEST(Tabulated, IsReciprocalAndNeverNegative) {
-    expect_reciprocal(*Tabulated(gold().compressed).bind(kUnsolvedAngles), 2000);
-    expect_reciprocal(*Tabulated(gold().raw).bind(kUnsolvedAngles), 2000);
+    expect_reciprocal(*Tabulated(gold().compressed).bind(kUnsolvedWavelengths), 2000);
+    expect_reciprocal(*Tabulated(gold().raw).bind(kUnsolvedWavelengths), 2000);
 }
 
 TEST(Tabulated, IsBlackBelowTheHorizon) {
-    expect_black_below_the_horizon(*Tabulated(gold().raw).bind(kUnsolvedAngles));
+    expect_black_below_the_horizon(*Tabulated(gold().raw).bind(kUnsolvedWavelengths));
 }
 
 TEST(Tabulated, IsFiniteAtTheNormalAndAtTheHorizon) {
@@ -129,7 +129,7 @@ TEST(Tabulated, IsFiniteAtTheNormalAndAtTheHorizon) {
     satin.clearcoat = paint::Clearcoat{40, 0.0, 0.1};
     for (const paint::Recipe& recipe : {metallic(0.1, kGold), bare, satin}) {
         const Tables model(recipe, {32, 16});
-        const auto bound = Tabulated(model.compressed).bind(kUnsolvedAngles);
+        const auto bound = Tabulated(model.compressed).bind(kUnsolvedWavelengths);
         const Vec3f edges[] = {{0, 0, 1},       {1e-30f, 0, 1}, {0, -1e-12f, 1},    {1, 0, 1e-20f},
                                {-1, 0, 1e-20f}, {0, 1, 1e-6f},  {0.6f, 0.8f, 1e-4f}};
         for (const Vec3f& a : edges) {
@@ -152,7 +152,7 @@ TEST(Tabulated, IsFiniteAtTheNormalAndAtTheHorizon) {
 }
 
 TEST(Tabulated, SampleReportsItsOwnDensityAndWeight) {
-    const auto bound = Tabulated(gold().compressed).bind(kUnsolvedAngles);
+    const auto bound = Tabulated(gold().compressed).bind(kUnsolvedWavelengths);
     const Drawn drawn = expect_own_density_and_weight(*bound, 4000, 1e-4f);
     EXPECT_GT(drawn.specular, 100);
     EXPECT_GT(drawn.others, 2000);
@@ -167,7 +167,7 @@ TEST(Tabulated, SamplesFollowTheDensity) {
         diffuse(metallic(0.4, kGold), {64, 48});
     int tests = 0;
     for (const Tables* model : {&of_default_size, &rough, &diffuse}) {
-        const auto bound = Tabulated(model->raw).bind(kUnsolvedAngles);
+        const auto bound = Tabulated(model->raw).bind(kUnsolvedWavelengths);
         for (const double theta_i : {0.5, 35.0, 65.0, 85.0}) {
             // One-sided, twelve tests with fixed seeds: 3.5 deviations are one false alarm in 400.
             EXPECT_LT(chi_square_z_score(*bound, direction(theta_i, 0), 11 + tests, 100000), 3.5)
@@ -181,9 +181,9 @@ TEST(Tabulated, SamplesFollowTheDensity) {
 TEST(Tabulated, AlbedoIsTheMeanWeightAndThatOfTheSolvedPaint) {
     // Grey, so that colours and spectra are the same.
     const Tables model(metallic(0.1, 0.8), {128, 64});
-    const auto bound = Tabulated(model.compressed).bind(kUnsolvedAngles);
-    const auto spectral =
-        Microflake(std::make_shared<const solver::SolvedPaint>(model.paint)).bind(kUnsolvedAngles);
+    const auto bound = Tabulated(model.compressed).bind(kUnsolvedWavelengths);
+    const auto spectral = Microflake(std::make_shared<const solver::SolvedPaint>(model.paint))
+                              .bind(kUnsolvedWavelengths);
     for (const double theta_i : {0.5, 40.0, 70.0, 86.0}) {
         const auto [mean, error] = mean_weight(*bound, direction(theta_i, 0), 4, 40000, 9);
         const double albedo = bound->albedo(direction(theta_i, 0))[4];
