@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "apps/study/equal_time.h"
 #include "apps/study/mir_2022.h"
 #include "apps/study/query_cost.h"
 #include "nacre/core/estimate.h"

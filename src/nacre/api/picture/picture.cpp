@@ -245,7 +245,8 @@ Scene::Scene(render::SceneDescription description, const ScenePaints& paints,
             if (model) model_settings_[name] = model->text();
         });
         const Paint& paint = painter.paint(found);
-        const auto require_shown = [&, &name = name](const char* key, bool is_there, bool shown) {
+        const auto require_shown = [&, &name = name, found = found](const char* key, bool is_there,
+                                                                    bool shown) {
             if (!is_there || shown) return;
             throw SettingError(
                 "model",
