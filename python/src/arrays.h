@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <new>
 #include <numeric>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -40,25 +42,29 @@ NumpyArray<T> to_numpy(std::vector<T> values, const Shape& shape) {
 }
 
 /// Memory for numbers of which each will be written: large arrays are not filled with zeros first,
-/// by one thread.
+/// by one thread that keeps Python's lock (std::complex would be even by an array left unset).
 template <class T>
 class Unwritten {
+    static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+
  public:
     explicit Unwritten(std::size_t size)
-        : size_(size), values_(std::make_unique_for_overwrite<T[]>(size)) {}
+        : size_(size), values_(static_cast<T*>(::operator new(size * sizeof(T)))) {}
 
     T* at(std::size_t i) { return values_.get() + i; }
     std::size_t size() const { return size_; }
     /// Hands it over to numpy.
     NumpyArray<T> to_numpy(const Shape& shape) && {
-        const nb::capsule capsule(values_.get(),
-                                  [](void* p) noexcept { delete[] static_cast<T*>(p); });
+        const nb::capsule capsule(values_.get(), [](void* p) noexcept { ::operator delete(p); });
         return NumpyArray<T>(values_.release(), shape.size(), shape.data(), capsule);
     }
 
  private:
+    struct Free {
+        void operator()(T* p) const { ::operator delete(p); }
+    };
     std::size_t size_;
-    std::unique_ptr<T[]> values_;
+    std::unique_ptr<T[], Free> values_;
 };
 
 template <class T>

@@ -25,9 +25,9 @@ using optics::Polarization;
 
 NumpyArray<std::complex<double>> index_of(const Material& material, const Doubles& nm) {
     const Broadcast<1> places({&nm}, {"wavelengths_nm"}, 1);
-    std::vector<std::complex<double>> values(nm.size());
-    for_each(nm.size(), [&](std::size_t i) { values[i] = material.index(nm.data()[i]); });
-    return to_numpy(std::move(values), places.shape());
+    Unwritten<std::complex<double>> values(nm.size());
+    for_each(nm.size(), [&](std::size_t i) { *values.at(i) = material.index(nm.data()[i]); });
+    return std::move(values).to_numpy(places.shape());
 }
 
 Polarization polarization_of(const std::string& text) {
