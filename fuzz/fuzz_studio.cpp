@@ -15,6 +15,8 @@
 
 // What a page sends is taken or refused with a MessageError; the recipe in it becomes a TOML text with
 // the same tree, which is read or refused; a mesh or a light in it is read or refused. The target of a request is taken or refused.
+static constexpr std::string_view kModels[] = {"microflake", "nacre"};
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     using namespace nacre::studio;
@@ -24,7 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
     Message message;
     try {
-        message = parse_message(text);
+        message = parse_message(text, kModels);
     } catch (const MessageError& error) {
         error_frames(error.id(), "message", error);
         return 0;

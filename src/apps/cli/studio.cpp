@@ -10,9 +10,11 @@
 
 #include "apps/cli/options.h"
 #include "apps/cli/paint_options.h"
+#include "apps/studio/messages/messages.h"
 #include "apps/studio/server.h"
 #include "nacre/core/parallel.h"
 #include "nacre/io/recipe_text.h"
+#include "nacre/models/models.h"
 #include "nacre/nacre.h"
 
 extern char** environ;
@@ -24,7 +26,7 @@ namespace {
 struct StudioOptions : CommonOptions {
     std::string recipe;
     unsigned short port = 0;
-    std::string listen = "127.0.0.1", model = studio::kReadingModels[0].name;
+    std::string listen = "127.0.0.1", model = std::string(models::names_of_fitted().front());
     bool open_to_network = false, no_open = false;
 };
 
@@ -57,7 +59,8 @@ ExitStatus run(const StudioOptions& options) {
     studio::ServerSettings settings{
         .address = options.listen, .port = options.port, .prepare = true};
     try {
-        settings.reading_model = studio::parse_reading_model(options.model);
+        settings.reading_model =
+            studio::parse_reading_model(options.model, models::names_of_fitted());
     } catch (const InputError& error) {
         throw UsageError(fmt::format("--model = {}: {}", options.model, error.what()));
     }
@@ -78,14 +81,11 @@ Command add_studio(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "studio", "Design a paint in the browser: sliders, angles, pictures, fits");
     command->add_option("RECIPE", options->recipe, "Recipe (TOML) or shipped paint to start with");
-    std::vector<std::string> models;
-    for (const studio::ReadingModel& model : studio::kReadingModels)
-        models.emplace_back(model.name);
     command
         ->add_option(
             "--model", options->model,
             fmt::format("Model by which paints are read at first, which the page can change: {}",
-                        fmt::join(models, ", ")))
+                        fmt::join(models::names_of_fitted(), ", ")))
         ->capture_default_str();
     command->add_option("--port", options->port, "Port to listen at; 0 is any that is free")
         ->capture_default_str();

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "apps/report/svg_raster.h"
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/math.h"
 #include "nacre/measure/instrument.h"
 #include "nacre/optics/thin_film.h"
 #include "nacre/testing/errors.h"

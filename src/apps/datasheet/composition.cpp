@@ -37,8 +37,8 @@ std::string unit_text(std::string_view unit) {
     return text;
 }
 
-/// What the keys of an object say, in their order and in the words of their description. Tables and
-/// lists that have words are told with what they hold, others are left to the caller.
+/// What the keys of an object say, in their order and in the phrases of their description. Tables and
+/// lists that have a phrase are told with what they hold, others are left to the caller.
 class Phrases final : public paint::Visitor {
  public:
     explicit Phrases(const paint::Described& object) { object.accept(*this); }
@@ -83,14 +83,14 @@ class Phrases final : public paint::Visitor {
     void material(const Field& field, optics::Material& value) override {
         say(field, false, material_text(value));
     }
-    void choice(const Field& field, const paint::Words& words, std::size_t& index) override {
-        say(field, index == 0, words[index]);
+    void choice(const Field& field, const paint::Choices& choices, std::size_t& index) override {
+        say(field, index == 0, choices[index]);
     }
     void table(const Field& field, paint::Described object) override {
-        if (field.words) say(field, false, Phrases(object).rest());
+        if (field.phrase) say(field, false, Phrases(object).rest());
     }
     void list(const Field& field, paint::List& list) override {
-        if (!field.words || list.size() == 0) return;
+        if (!field.phrase || list.size() == 0) return;
         std::vector<std::string> texts;
         for (std::size_t i = 0; i < list.size(); ++i) texts.push_back(Phrases(list.at(i)).rest());
         say(field, false, fmt::format("{}", fmt::join(texts, "; then ")));
@@ -103,13 +103,13 @@ class Phrases final : public paint::Visitor {
     };
 
     static bool in_percent(const Field& field) {
-        return field.words && std::string_view(field.words).find("{%}") != std::string_view::npos;
+        return field.phrase && std::string_view(field.phrase).find("{%}") != std::string_view::npos;
     }
     static double scale(const Field& field) { return in_percent(field) ? 100 : 1; }
 
     void say(const Field& field, bool zero, const std::string& value) {
-        const char* words = zero && field.zero_words ? field.zero_words : field.words;
-        std::string text = words ? words : "";
+        const char* phrase = zero && field.zero_phrase ? field.zero_phrase : field.phrase;
+        std::string text = phrase ? phrase : "";
         if (text.empty()) return;
         const std::size_t open = std::min(text.find('{'), text.size());
         if (open < text.size()) {

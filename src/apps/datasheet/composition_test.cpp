@@ -131,7 +131,7 @@ TEST(Composition, EveryKeyIsTold) {
     paint::Described::to_inspect(recipe).accept(all);
     int told = 0;
     for (const nacre::test::KeyOfObject& key : all.keys) {
-        const bool deliberately_not = key.field.words && !*key.field.words;
+        const bool deliberately_not = key.field.phrase && !*key.field.phrase;
         if (key.is_settled || deliberately_not) continue;
         paint::Recipe changed = recipe;
         nacre::test::EveryKey change(key.path);

@@ -1,5 +1,3 @@
-#include "apps/studio/messages/reading_models.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -35,10 +33,11 @@ TEST(StudioReadingModels, ReadingsAreThoseOfMeasureByEach) {
             page.send({{"type", "paint"}, {"id", 1}, {"recipe", tree}, {"model", model}});
             return page.read_until("readings");
         };
-        for (const ReadingModel& model : kReadingModels) {
-            const Tree readings = read_by(model.name);
-            EXPECT_EQ(readings["model"], model.name);
-            EXPECT_EQ(readings["csv"].get<std::string>(), measured(same, model.name)) << model.name;
+        for (const std::string_view name : models::names_of_fitted()) {
+            const std::string model(name);
+            const Tree readings = read_by(model);
+            EXPECT_EQ(readings["model"], model);
+            EXPECT_EQ(readings["csv"].get<std::string>(), measured(same, model)) << model;
         }
         EXPECT_NE(measured(same, "microflake"), measured(same, "nacre"));
         EXPECT_EQ(read_by(nullptr)["csv"].get<std::string>(), same.measure().csv());
@@ -49,14 +48,15 @@ TEST(StudioReadingModels, AStandardThatIsAPaintIsReadByTheSame) {
     const RunningServer server;
     PageClient page(server);
     const Tree tree = tree_of("red-gold");
-    for (const ReadingModel& model : kReadingModels) {
+    for (const std::string_view name : models::names_of_fitted()) {
+        const std::string model(name);
         page.send({{"type", "standard"},
                    {"id", 1},
                    {"csv", toml_of_tree(tree)},
                    {"name", "standard.toml"},
-                   {"model", model.name}});
+                   {"model", model}});
         const Tree told = page.read_until("standard");
-        page.send({{"type", "paint"}, {"id", 2}, {"recipe", tree}, {"model", model.name}});
+        page.send({{"type", "paint"}, {"id", 2}, {"recipe", tree}, {"model", model}});
         const Tree readings = page.read_until("readings");
         EXPECT_EQ(told["lab"], readings["lab"]);
         EXPECT_EQ(readings["standard"]["lab"], readings["lab"]);
@@ -79,24 +79,25 @@ TEST(StudioReadingModels, FitsSeePaintsByIt) {
     const std::string csv = measured(start.with(start.whole_key("alpha"), 0.13), "nacre");
     page.send({{"type", "standard"}, {"id", 1}, {"csv", csv}});
     EXPECT_EQ(page.read()["type"], "standard");
-    for (const ReadingModel& model : kReadingModels) {
+    for (const std::string_view name : models::names_of_fitted()) {
+        const std::string model(name);
         page.send({{"type", "fit"},
                    {"id", 2},
                    {"recipe", tree},
                    {"free", {"alpha"}},
                    {"starts", 1},
-                   {"model", model.name}});
+                   {"model", model}});
         const Tree found = page.read_until("matches");
-        EXPECT_EQ(found["model"], model.name);
+        EXPECT_EQ(found["model"], model);
         FitSettings settings;
         settings.starts = 1;
-        settings.target.hot_spot = models::named_model(model.name).shows_hot_spot();
+        settings.target.hot_spot = models::named_model(model).shows_hot_spot();
         const Match match = start.fit(open_text(csv, "standard.csv").measure().measurement,
                                       {start.whole_key("alpha")}, settings);
         const Tree& best = found["matches"][0];
         EXPECT_EQ(best["parameters"][0]["value"].get<double>(), match.parameters[0].value);
         EXPECT_EQ(best["mean_delta_e"].get<double>(), match.difference.mean_delta_e_2000);
-        if (std::string(model.name) == "nacre") {
+        if (model == "nacre") {
             EXPECT_NEAR(match.parameters[0].value, 0.13, 1e-3);
             EXPECT_LT(match.difference.max_delta_e_2000, 0.05);
         }
@@ -106,20 +107,21 @@ TEST(StudioReadingModels, FitsSeePaintsByIt) {
 TEST(StudioReadingModels, AtlasesShowWhatIsReadByIt) {
     const RunningServer server;
     PageClient page(server);
-    for (const ReadingModel& model : kReadingModels) {
+    for (const std::string_view name : models::names_of_fitted()) {
+        const std::string model(name);
         page.send({{"type", "atlas"},
                    {"id", 1},
                    {"recipe", tree_of("red-gold")},
                    {"key", kFilm},
                    {"values", {220}},
                    {"geometries", "45as15,45as45"},
-                   {"model", model.name}});
+                   {"model", model}});
         const Tree atlas = page.read_until("atlas");
-        EXPECT_EQ(atlas["model"], model.name);
+        EXPECT_EQ(atlas["model"], model);
         const Measurement same =
             open_text(toml_of_tree(tree_of("red-gold")), "recipe.toml")
                 .with(kFilm, 220)
-                .measure(geometries("45as15,45as45"), {.model = models::named_model(model.name)})
+                .measure(geometries("45as15,45as45"), {.model = models::named_model(model)})
                 .measurement;
         for (int g = 0; g < 2; ++g) {
             for (int c = 0; c < 3; ++c) {
@@ -170,7 +172,7 @@ TEST(StudioReadingModels, TheSchemaOffersThem) {
         return Tree::parse(RunningServer(settings).api("/api/schema").body);
     };
     const Tree schema = schema_of({});
-    ASSERT_EQ(schema["reading_models"].size(), kReadingModels.size());
+    ASSERT_EQ(schema["reading_models"].size(), models::names_of_fitted().size());
     EXPECT_EQ(schema["reading_models"][1]["name"], "nacre");
     // By default as nacre measure.
     EXPECT_EQ(schema["reading_model"], models::default_model().info().name);

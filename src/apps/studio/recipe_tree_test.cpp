@@ -10,6 +10,7 @@
 #include "nacre/core/file.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/io/recipe_text.h"
+#include "nacre/models/models.h"
 #include "nacre/nacre.h"
 #include "nacre/paint/recipe_description.h"
 
@@ -164,7 +165,7 @@ TEST(StudioSchema, SaysRangesAndAlternatives) {
 TEST(StudioMessages, AreRefusedNamingKeyAndWhatIsAllowed) {
     const auto refusal = [](const std::string& text) {
         try {
-            parse_message(text);
+            parse_message(text, models::names_of_fitted());
         } catch (const MessageError& error) {
             return std::string(error.what());
         }

@@ -7,7 +7,6 @@
 
 #include "apps/datasheet/catalogue.h"
 #include "apps/datasheet/composition.h"
-#include "apps/studio/messages/reading_models.h"
 #include "apps/studio/messages/stage.h"
 #include "nacre/core/csv.h"
 #include "nacre/core/error.h"
@@ -78,10 +77,11 @@ class TableVisitor final : public paint::Visitor {
     void text(const paint::Field& field, std::string& value) override {
         add(field, "text")["default"] = value;
     }
-    void choice(const paint::Field& field, const paint::Words& words, std::size_t& index) override {
+    void choice(const paint::Field& field, const paint::Choices& choices,
+                std::size_t& index) override {
         Tree& key = add(field, "choice");
-        key["choices"] = words;
-        key["default"] = field.required ? Tree(nullptr) : Tree(words[index]);
+        key["choices"] = choices;
+        key["default"] = field.required ? Tree(nullptr) : Tree(choices[index]);
     }
     void flag(const paint::Field& field, bool& value) override {
         add(field, "flag")["default"] = value;
@@ -149,6 +149,7 @@ class TableVisitor final : public paint::Visitor {
             key["min_excluded"] = range.lo_open;
             key["max_excluded"] = range.hi_open;
             key["log"] = range.lo >= 0 && range.hi > kLogarithmicRatio * std::max(range.lo, 1.0);
+            if (field.typical) key["typical"] = *field.typical;
             if (field.zero) key["zero"] = field.zero;
         }
         if (field.required_with) key["required_with"] = field.required_with;
@@ -256,8 +257,11 @@ Tree geometry_sets_json() {
 
 Tree reading_models_json() {
     Tree all = Tree::array();
-    for (const ReadingModel& model : kReadingModels) {
-        all.push_back({{"name", model.name}, {"title", model.title}});
+    const std::string_view of_pictures = models::default_picture_model().info().name;
+    for (const std::string_view name : models::names_of_fitted()) {
+        std::string title(name);
+        if (name == of_pictures) title += ", as the picture";
+        all.push_back({{"name", name}, {"title", std::move(title)}});
     }
     return all;
 }

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "apps/studio/messages/reading_models.h"
+#include "nacre/models/models.h"
 
 // The server of the studio: a page, and an API for it (docs/studio-api.md), by HTTP and WebSocket.
 // All that it computes comes through the front door (nacre/nacre.h).
@@ -16,8 +16,8 @@ struct ServerSettings {
     unsigned short port = 0;            ///< 0: any that is free
     /// The recipe to start with, which names no files.
     std::optional<std::string> toml = {};
-    /// One of kReadingModels: by which the page reads paints at first.
-    std::string reading_model = kReadingModels[0].name;
+    /// By which the page reads paints at first (models::names_of_fitted()).
+    std::string reading_model = std::string(models::names_of_fitted().front());
     bool prepare = false;  ///< makes the schema at once, which a page asks for first
 };
 

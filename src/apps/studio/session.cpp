@@ -3,6 +3,8 @@
 #include <exception>
 #include <utility>
 
+#include "nacre/models/models.h"
+
 namespace nacre::studio {
 
 Lane& Workshop::lane_of(const std::string& type) {
@@ -30,7 +32,7 @@ void Workshop::end() {
 void Session::receive(std::string_view text) {
     Message message;
     try {
-        message = parse_message(text);
+        message = parse_message(text, models::names_of_fitted());
     } catch (const MessageError& error) {
         post_({"error", error_frames(error.id(), "message", error)});
         return;

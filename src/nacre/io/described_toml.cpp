@@ -80,8 +80,8 @@ class KindReader final : public paint::Visitor {
  public:
     explicit KindReader(const TableReader& table) : table_(table) {}
 
-    void kind(const Field& field, const paint::Words& words, std::size_t& index) override {
-        index = table_.choice(field.key, words);
+    void kind(const Field& field, const paint::Choices& choices, std::size_t& index) override {
+        index = table_.choice(field.key, choices);
         found = true;
     }
     bool has(const Field&, bool) override { return false; }
@@ -148,8 +148,8 @@ class Reader final : public paint::Visitor {
         value = resolved(table_, field, table_.text(field.key, field.max_size));
     }
 
-    void choice(const Field& field, const paint::Words& words, std::size_t& index) override {
-        if (wanted(field)) index = table_.choice(field.key, words);
+    void choice(const Field& field, const paint::Choices& choices, std::size_t& index) override {
+        if (wanted(field)) index = table_.choice(field.key, choices);
     }
 
     bool has(const Field& field, bool) override { return table_.has(field.key); }
@@ -267,8 +267,8 @@ class Writer final : public paint::Visitor {
     void spectrum(const Field& field, Spectrum& s) override { add(field, toml_spectrum(s)); }
     void material(const Field& field, Material& m) override { add(field, material_text(m)); }
     void text(const Field& field, std::string& text) override { add(field, toml_text(text)); }
-    void choice(const Field& field, const paint::Words& words, std::size_t& index) override {
-        if (!field.omit_default || index != 0) add(field, toml_text(words[index]));
+    void choice(const Field& field, const paint::Choices& choices, std::size_t& index) override {
+        if (!field.omit_default || index != 0) add(field, toml_text(choices[index]));
     }
     void flag(const Field& field, bool& value) override { add(field, value ? "true" : "false"); }
     void vector(const Field& field, Vec3f& v) override {

@@ -42,7 +42,7 @@ class ValueList final : public paint::PathVisitor {
     }
     void text(const Field& field, std::string&) override { keys.push_back(path_of(field)); }
     void flag(const Field& field, bool&) override { keys.push_back(path_of(field)); }
-    void choice(const Field& field, const paint::Words&, std::size_t&) override {
+    void choice(const Field& field, const paint::Choices&, std::size_t&) override {
         keys.push_back(path_of(field));
     }
     void table(const Field& field, paint::Described object) override {

@@ -37,6 +37,14 @@ std::vector<std::string_view> names_where(bool (*condition)(const bsdf::ModelInf
     return names;
 }
 
+std::vector<std::string_view> names_of_fitted() {
+    std::vector<std::string_view> names;
+    for (const bsdf::ModelInfo* model : all_models()) {
+        if (model->can.fitted) names.push_back(model->name);
+    }
+    return names;
+}
+
 std::vector<std::string_view> names_with_arrays() {
     return names_where(
         [](const bsdf::ModelInfo& model) { return model.standard().makes_arrays(); });

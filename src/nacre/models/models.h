@@ -19,6 +19,9 @@ bsdf::Model default_model();
 bsdf::Model default_picture_model();
 /// The names of those that satisfy a condition, default_picture_model() first.
 std::vector<std::string_view> names_where(bool (*condition)(const bsdf::ModelInfo&));
+/// The names of those by which paints are read by values and sought by their colours
+/// (Capabilities::fitted), default_model() first.
+std::vector<std::string_view> names_of_fitted();
 /// The names of those that make arrays as they are without any choice (bsdf::Model::makes_arrays),
 /// likewise.
 std::vector<std::string_view> names_with_arrays();

@@ -10,7 +10,7 @@
 #include "nacre/core/error.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/testing/errors.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 namespace nacre::paint {
 namespace {

@@ -34,7 +34,7 @@ class KeyList final : public KeyVisitor {
             keys.emplace_back(field.key);
         }
     }
-    void kind(const Field& field, const Words&, std::size_t&) override {
+    void kind(const Field& field, const Choices&, std::size_t&) override {
         other(field);
         has_kind = true;
     }
@@ -154,10 +154,10 @@ class MarkdownRows final : public KeyVisitor {
     void text(const Field& field, std::string&) override {
         row(field, "text", "", fmt::format("up to {} characters", field.max_size), "empty");
     }
-    void choice(const Field& field, const Words& words, std::size_t& index) override {
+    void choice(const Field& field, const Choices& choices, std::size_t& index) override {
         std::string range;
-        for (const std::string& word : words) range += (range.empty() ? "" : ", ") + quoted(word);
-        row(field, "text", "", range, quoted(words[index]));
+        for (const std::string& word : choices) range += (range.empty() ? "" : ", ") + quoted(word);
+        row(field, "text", "", range, quoted(choices[index]));
     }
     void flag(const Field& field, bool& value) override {
         row(field, "flag", "", "true, false", value ? "true" : "false");

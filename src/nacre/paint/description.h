@@ -28,8 +28,11 @@ namespace nacre::paint {
 /// One key: what holds for all values that it may have.
 struct Field {
     const char* key = "";
-    Range range = {};          ///< of a number, of each value of a spectrum, of the index of a
-                               ///< material; its unit is the key's
+    Range range = {};  ///< of a number, of each value of a spectrum, of the index of a
+                       ///< material; its unit is the key's
+    std::optional<double> typical =
+        {};                    ///< a number or a spectrum that paints have: what it begins
+                               ///< with where somebody adds the key to a paint
     const char* meaning = "";  ///< for the documentation, Markdown
     bool required = false;     ///< if not, its default is what a new object has
     const char* required_with = nullptr;  ///< required only beside this other key
@@ -39,12 +42,13 @@ struct Field {
     const char* spread_of = nullptr;  ///< the number is the standard deviation of this other key
     /// On a data sheet, {} for the value with its unit and {%} for it in percent: "{} across". If
     /// empty, it is deliberately not told there.
-    const char* words = nullptr;
-    const char* zero_words = nullptr;  ///< the same of a 0 and of the first choice; else as `words`
-    std::size_t max_size = 0;          ///< characters of a text, entries of a list
-    bool colour = false;               ///< a spectrum that may be stated as [r, g, b]
-    bool real = false;                 ///< a material that does not absorb
-    bool in_line = false;              ///< tables: written as { key = value, ... }
+    const char* phrase = nullptr;
+    const char* zero_phrase =
+        nullptr;                ///< the same of a 0 and of the first choice; else as `phrase`
+    std::size_t max_size = 0;   ///< characters of a text, entries of a list
+    bool colour = false;        ///< a spectrum that may be stated as [r, g, b]
+    bool real = false;          ///< a material that does not absorb
+    bool in_line = false;       ///< tables: written as { key = value, ... }
     bool omit_default = false;  ///< a number or a choice: 0 and the first choice are not written
 };
 
@@ -108,7 +112,7 @@ struct Alternatives {
     std::string neither = {};  ///< why none is refused, if it is
 };
 
-using Words = std::vector<std::string>;
+using Choices = std::vector<std::string>;
 
 /// The keys of an object's own table, in order, those of all alternatives among them.
 std::vector<std::string> keys_of(const Described& object);
@@ -137,10 +141,10 @@ class Visitor {
 
     /// One of several words, in the order of the enumeration.
     template <class Enum>
-    void operator()(const Field& field, const Words& words, Enum& value) {
+    void operator()(const Field& field, const Choices& choices, Enum& value) {
         const auto before = static_cast<std::size_t>(value);
         std::size_t index = before;
-        choice(field, words, index);
+        choice(field, choices, index);
         if (index != before) value = static_cast<Enum>(index);
     }
 
@@ -165,9 +169,9 @@ class Visitor {
 
     /// Which alternative a table states, by a word. Its own keys are described by held().
     template <class... T>
-    void operator()(const Field& field, const Words& words, std::variant<T...>& value) {
+    void operator()(const Field& field, const Choices& choices, std::variant<T...>& value) {
         std::size_t index = value.index();
-        kind(field, words, index);
+        kind(field, choices, index);
         if (index != value.index()) emplace(value, index);
     }
     template <class... T>
@@ -220,9 +224,9 @@ class Visitor {
     virtual void flag(const Field& field, bool&) { other(field); }
     virtual void vector(const Field& field, Vec3f&) { other(field); }
     virtual void path(const Field& field, std::filesystem::path&) { other(field); }
-    virtual void choice(const Field& field, const Words&, std::size_t&) { other(field); }
-    virtual void kind(const Field& field, const Words& words, std::size_t& index) {
-        choice(field, words, index);
+    virtual void choice(const Field& field, const Choices&, std::size_t&) { other(field); }
+    virtual void kind(const Field& field, const Choices& choices, std::size_t& index) {
+        choice(field, choices, index);
     }
     virtual void list(const Field& field, List&) { other(field); }
     virtual void named(const Field& field, NamedList&) { other(field); }

@@ -8,7 +8,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/testing/errors.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 namespace nacre::paint {
 namespace {

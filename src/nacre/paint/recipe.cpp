@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/math.h"
 #include "nacre/optics/thickness_rule.h"
 #include "nacre/paint/orientation.h"
 #include "nacre/paint/recipe_description.h"

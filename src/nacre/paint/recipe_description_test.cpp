@@ -40,6 +40,38 @@ TEST(RecipeDescription, EveryNumberOutsideItsRangeIsRefused) {
     EXPECT_GE(refused, 2 * 37);
 }
 
+/// Numbers and spectra that a paint must state, and those with a typical value.
+class Typical final : public PathVisitor {
+ public:
+    void number(const Field& field, double&) override { add(field); }
+    void spectrum(const Field& field, spectra::Spectrum&) override { add(field); }
+    bool has(const Field&, bool) override { return true; }
+    bool visits_all_alternatives() const override { return true; }
+    void list(const Field& field, List& list) override {
+        list.add();
+        PathVisitor::list(field, list);
+    }
+
+    int stated = 0, typical = 0;
+
+ private:
+    void add(const Field& field) {
+        stated += field.required;
+        EXPECT_TRUE(field.typical || !field.required) << path_of(field);
+        if (!field.typical) return;
+        ++typical;
+        EXPECT_TRUE(allows(field, *field.typical)) << path_of(field) << " = " << *field.typical;
+    }
+};
+
+TEST(RecipeDescription, WhatMustBeStatedHasATypicalValue) {
+    Recipe recipe;
+    Typical values;
+    describe(values, recipe);
+    EXPECT_GE(values.stated, 20);
+    EXPECT_GE(values.typical, 30);
+}
+
 TEST(RecipeDescription, TheDocumentationHasItsTables) {
     Recipe recipe;
     Substrate substrate{recipe.substrate_reflectance};

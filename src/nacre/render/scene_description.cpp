@@ -234,7 +234,7 @@ void describe(Visitor& visit, GroundPlane& ground) {
 namespace {
 
 void describe(Visitor& visit, Emitter& emitter, const char* meaning) {
-    static const paint::Words illuminants = {
+    static const paint::Choices illuminants = {
         name(spectra::Illuminant::A),    name(spectra::Illuminant::D50),
         name(spectra::Illuminant::D65),  name(spectra::Illuminant::FL2),
         name(spectra::Illuminant::FL11), name(spectra::Illuminant::E)};

@@ -57,14 +57,14 @@ class EveryKey final : public paint::PathVisitor {
         if (found(field)) value += "x";
     }
     /// Left unchanged: another kind has other keys.
-    void kind(const paint::Field& field, const paint::Words&, std::size_t&) override {
+    void kind(const paint::Field& field, const paint::Choices&, std::size_t&) override {
         found(field);
         keys.back().is_settled = true;
     }
-    void choice(const paint::Field& field, const paint::Words& words, std::size_t& i) override {
+    void choice(const paint::Field& field, const paint::Choices& choices, std::size_t& i) override {
         const bool here = found(field);
-        keys.back().is_settled = words.size() == 1;
-        if (here) i = (i + 1) % words.size();
+        keys.back().is_settled = choices.size() == 1;
+        if (here) i = (i + 1) % choices.size();
     }
 
     std::vector<KeyOfObject> keys;

@@ -20,6 +20,8 @@ export interface KeyInfo {
     /** 0 is allowed besides, and means this. */
     readonly zero?: string;
     readonly default?: Value | null;
+    /** Of paints that are made: what a new number or spectrum begins with. */
+    readonly typical?: number;
     readonly choices?: "materials" | "pigments" | readonly string[];
     /** A spectrum that may be a colour [r, g, b]. */
     readonly rgb?: boolean;

@@ -5,12 +5,9 @@ import { chosen, foreignKeys, statedGroups, tableInfo } from "./schema";
 import type { Path, Table, Value } from "./tree";
 import { isTable } from "./tree";
 
-/** Entries of lists and tables, by generic path. */
-const WHOLE: Readonly<Record<string, Value>> = {
-    clearcoat: { thickness_um: 45 },
+/** Entries with more than what they must have, by generic path. */
+const EXAMPLES: Readonly<Record<string, Value>> = {
     lean: { tilt_deg: 5, azimuth_deg: 0 },
-    substrate: { reflectance: 0.05 },
-    "layer[]": { thickness_um: 15 },
     "layer[].flakes[]": {
         name: "TiO2 on mica",
         volume_fraction: 0.03,
@@ -25,44 +22,7 @@ const WHOLE: Readonly<Record<string, Value>> = {
         { tilt_deg: 0, density: 1 },
         { tilt_deg: 15, density: 0 },
     ],
-    "layer[].flakes[].thickness_um": 0.3,
     "clearcoat.orange_peel": { wc: 0.005, wd: 0.005 },
-    microfacet: {
-        alpha: 0.1,
-        film_ior: 1.8,
-        film_thickness_nm: 150,
-        base_ior: 1.08,
-        base_extinction: 0.5,
-    },
-    "microfacet.facets": { count: 10_000_000, cone_deg: 3 },
-};
-
-/** Numbers and names that a key begins with, where the schema has no default. */
-const SINGLE: Readonly<Record<string, Value>> = {
-    volume_fraction: 0.03,
-    area_density_per_um: 0.1,
-    mass_fraction: 0.05,
-    density_g_per_cm3: 3,
-    diameter_nm: 250,
-    d10_um: 8,
-    d50_um: 18,
-    d90_um: 32,
-    thickness_um: 15,
-    thickness_nm: 100,
-    alpha: 0.1,
-    reflectance: 0.5,
-    K: 10,
-    S: 10,
-    scattering_per_mm: 10,
-    absorption_per_mm: 10,
-    waviness: 0.02,
-    edge_um: 0.5,
-    thickness_spread_um: 3,
-    roughness: 0.1,
-    spread_nm: 5,
-    diameter_spread_um: 5,
-    transmittance: 0.1,
-    alpha_bottom: 0.1,
 };
 
 /** A value for a key that a table lacks, which the other keys of the table allow. */
@@ -79,16 +39,15 @@ function starter(schema: Schema, table: Path, info: KeyInfo): Value {
         .map((step) => (typeof step === "number" ? "[]" : `.${step}`))
         .join("")
         .slice(1);
-    const whole = WHOLE[generic];
-    if (whole !== undefined) return whole;
-    const entry = info.kind === "list" ? WHOLE[`${generic}[]`] : undefined;
+    const example = EXAMPLES[generic];
+    if (example !== undefined) return example;
+    const entry = info.kind === "list" ? EXAMPLES[`${generic}[]`] : undefined;
     if (entry !== undefined) return [entry];
     if (generic === "layer[].pigment") return [newPigment(schema)];
-    const single = SINGLE[info.key];
     switch (info.kind) {
         case "number":
         case "spectrum":
-            return single ?? info.default ?? info.min ?? 0;
+            return info.typical ?? info.default ?? info.min ?? 0;
         case "material":
             return schema.materials[0]?.name ?? 1.5;
         case "text":

@@ -207,7 +207,7 @@ export const SCHEMA: Schema = {
     illuminants: ["D65"],
     observers: ["10"],
     reading_models: [
-        { name: "microflake", title: "micro-flakes" },
+        { name: "microflake", title: "microflake" },
         { name: "nacre", title: "nacre, as the picture" },
     ],
     reading_model: "microflake",

@@ -15,6 +15,13 @@
 
 namespace nacre::studio {
 
+std::string parse_reading_model(const std::string& name, ReadingModels models) {
+    const std::vector<std::string> names(models.begin(), models.end());
+    if (std::ranges::find(names, name) != names.end()) return name;
+    throw InputError(fmt::format("is no model by which paints are read here{}; there are: {}",
+                                 did_you_mean(name, names), fmt::join(names, ", ")));
+}
+
 namespace {
 
 /// A message's tables nest as deep as those of the recipe in it, and one more.
@@ -143,12 +150,12 @@ spectra::Illuminant illuminant_of(Fields& fields, const char* key) {
     return fields.parsed(key, [&] { return spectra::parse_illuminant(name); });
 }
 
-std::string reading_model_of(Fields& fields) {
-    const std::string name = fields.text("model", kReadingModels[0].name, kMaxNameBytes);
-    return fields.parsed("model", [&] { return parse_reading_model(name); });
+std::string reading_model_of(Fields& fields, ReadingModels models) {
+    const std::string name = fields.text("model", std::string(models.front()), kMaxNameBytes);
+    return fields.parsed("model", [&] { return parse_reading_model(name, models); });
 }
 
-Viewed viewed_of(Fields& fields) {
+Viewed viewed_of(Fields& fields, ReadingModels models) {
     Viewed viewed;
     const std::string set = fields.text("geometries", measure::kDefaultGeometries, 10'000);
     // Neither files nor the standard input: what is no set and no list is refused.
@@ -169,7 +176,7 @@ Viewed viewed_of(Fields& fields) {
     viewed.illuminant = illuminant_of(fields, "illuminant");
     const std::string observer = fields.text("observer", "10", kMaxNameBytes);
     viewed.observer = fields.parsed("observer", [&] { return spectra::parse_observer(observer); });
-    viewed.model = reading_model_of(fields);
+    viewed.model = reading_model_of(fields, models);
     return viewed;
 }
 
@@ -244,15 +251,16 @@ RenderRequest render_of(Fields& fields) {
     return request;
 }
 
-Request request_of(const std::string& type, Fields& fields) {
+Request request_of(const std::string& type, Fields& fields, ReadingModels models) {
     if (type == "open") {
         const Tree* toml = fields.find("toml");
         if (!toml) fields.fail("toml", "is missing");
         return OpenRequest{fields.text("toml", "", io::kMaxTextBytes)};
     }
     if (type == "paint") {
-        return PaintRequest{fields.object("recipe"), viewed_of(fields), fields.flag("shader"),
-                            illuminant_of(fields, "lamp"), tolerance_of(fields)};
+        return PaintRequest{fields.object("recipe"), viewed_of(fields, models),
+                            fields.flag("shader"), illuminant_of(fields, "lamp"),
+                            tolerance_of(fields)};
     }
     if (type == "films") return FilmsRequest{fields.object("recipe")};
     if (type == "standard") {
@@ -260,7 +268,7 @@ Request request_of(const std::string& type, Fields& fields) {
         if (fields.find("csv")) request.text = fields.text("csv", "", kMaxMessageBytes);
         request.name = fields.text("name", "standard", kMaxNameBytes);
         request.sample = fields.text("sample", "", kMaxNameBytes);
-        request.model = reading_model_of(fields);
+        request.model = reading_model_of(fields, models);
         return request;
     }
     if (type == "sparkle") {
@@ -281,7 +289,7 @@ Request request_of(const std::string& type, Fields& fields) {
             }
         }
         request.starts = fields.whole("starts", request.starts, {1, fit::FitOptions::kMaxStarts});
-        request.model = reading_model_of(fields);
+        request.model = reading_model_of(fields, models);
         return request;
     }
     if (type == "stop") {
@@ -293,7 +301,7 @@ Request request_of(const std::string& type, Fields& fields) {
     if (type == "report") {
         ReportRequest request;
         request.recipe = fields.object("recipe");
-        request.viewed = viewed_of(fields);
+        request.viewed = viewed_of(fields, models);
         request.tolerance = tolerance_of(fields);
         request.draft = fields.flag("draft");
         return request;
@@ -311,7 +319,7 @@ Request request_of(const std::string& type, Fields& fields) {
                         fmt::format("must be a list of 1 to {} numbers", kMaxAtlasValues));
         }
         request.values = values->get<std::vector<double>>();
-        request.viewed = viewed_of(fields);
+        request.viewed = viewed_of(fields, models);
         return request;
     }
     if (type == "shape") {
@@ -327,7 +335,7 @@ Request request_of(const std::string& type, Fields& fields) {
 
 }  // namespace
 
-Message parse_message(std::string_view text) {
+Message parse_message(std::string_view text, ReadingModels models) {
     Message message;
     try {
         check_structure(text);
@@ -339,7 +347,7 @@ Message parse_message(std::string_view text) {
             message.id = *id;
         }
         message.type = fields.text("type", "", kMaxNameBytes);
-        message.request = request_of(message.type, fields);
+        message.request = request_of(message.type, fields, models);
         fields.finish();
     } catch (const InputError& error) {
         throw MessageError(error.what(), message.id);

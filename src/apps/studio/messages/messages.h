@@ -3,12 +3,12 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
-#include "apps/studio/messages/reading_models.h"
 #include "apps/studio/messages/recipe_tree.h"
 #include "apps/studio/messages/stage.h"
 #include "nacre/measure/geometry.h"
@@ -22,12 +22,17 @@ namespace nacre::studio {
 /// The largest frame and the largest body of a request that is taken, in bytes.
 inline constexpr std::size_t kMaxMessageBytes = 8u << 20;
 
+/// The names of the models by which paints are read, the first where a message names none.
+using ReadingModels = std::span<const std::string_view>;
+/// The name as it is. @throws InputError with those that there are
+std::string parse_reading_model(const std::string& name, ReadingModels models);
+
 /// Light and eye by which colours are stated, the angles, and the model that reads paints.
 struct Viewed {
     std::vector<measure::Geometry> geometries;
     spectra::Illuminant illuminant = spectra::Illuminant::D65;
     spectra::Observer observer = spectra::Observer::cie1964_10deg;
-    std::string model = kReadingModels[0].name;
+    std::string model = {};
 };
 
 /// A text of a recipe.
@@ -48,7 +53,7 @@ struct FilmsRequest {
 struct StandardRequest {
     std::optional<std::string> text;  ///< none: no standard any more
     std::string name, sample;
-    std::string model = kReadingModels[0].name;  ///< of a recipe
+    std::string model = {};  ///< of a recipe
 };
 struct SparkleRequest {
     Tree recipe;
@@ -58,7 +63,7 @@ struct FitRequest {
     Tree recipe;
     std::vector<std::string> free;  ///< empty: those of the recipe's table [fit]
     int starts = 8;
-    std::string model = kReadingModels[0].name;  ///< by which paints are seen
+    std::string model = {};  ///< by which paints are seen
 };
 /// Ends a fit, a picture or another long answer.
 struct StopRequest {
@@ -116,6 +121,6 @@ class MessageError : public InputError {
 };
 
 /// @throws MessageError naming key, value and what is allowed
-Message parse_message(std::string_view text);
+Message parse_message(std::string_view text, ReadingModels models);
 
 }  // namespace nacre::studio

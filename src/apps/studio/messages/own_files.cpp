@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/math.h"
 #include "nacre/io/image.h"
 #include "nacre/render/environment.h"
 #include "nacre/render/mesh_file.h"

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "apps/studio/messages/stage.h"
-#include "nacre/core/angles.h"
+#include "nacre/core/math.h"
 #include "nacre/render/emission.h"
 #include "nacre/render/environment.h"
 #include "nacre/render/lights.h"
