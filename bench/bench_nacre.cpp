@@ -141,7 +141,7 @@ void BM_NacreLook(benchmark::State& state) {
     std::size_t i = 0;
     double found = 0;
     for (auto _ : state) {
-        field.look(all[i].footprint, view);
+        field.query(all[i].footprint, view);
         benchmark::DoNotOptimize(view);
         found += view.count;
         i = (i + 1) % all.size();

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "nacre/bsdf/models/special_effect.h"
-#include "nacre/core/polar.h"
+#include "nacre/core/math.h"
 #include "nacre/core/random.h"
 #include "nacre/sparkle/facet_field.h"
 

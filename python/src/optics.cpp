@@ -6,7 +6,7 @@
 
 #include "arrays.h"
 #include "bind.h"
-#include "nacre/core/angles.h"
+#include "nacre/core/math.h"
 #include "nacre/nacre.h"
 #include "nacre/optics/material.h"
 #include "nacre/optics/thin_film.h"

@@ -15,8 +15,8 @@
 
 #include "arrays.h"
 #include "bind.h"
-#include "nacre/core/angles.h"
 #include "nacre/core/file.h"
+#include "nacre/core/math.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/models/models.h"
 #include "nacre/nacre.h"

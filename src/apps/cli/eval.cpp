@@ -12,7 +12,7 @@
 #include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
 #include "apps/cli/paint_options.h"
-#include "nacre/core/angles.h"
+#include "nacre/core/math.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
 #include "nacre/nacre.h"

@@ -21,6 +21,11 @@ base_ior = 1.08
 base_extinction = 0.51
 )";
 
+// Commands that work on the paint of the test's folder; a blank follows.
+inline const std::string kEval = "eval gray.toml --incident 45 --outgoing 0 --wavelength 550 ";
+inline const std::string kRender = "render sphere --paint gray.toml --spp 1 --size 2x2 --quiet ";
+inline const std::string kAtlas = "atlas --film mica --thickness 100,200 --quiet ";
+
 struct Outcome {
     int status = -1;
     std::string out, err;

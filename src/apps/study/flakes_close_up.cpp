@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/study/folder.h"
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
+#include "nacre/core/math.h"
 #include "nacre/core/sha256.h"
 #include "nacre/core/version.h"
 #include "nacre/io/image.h"

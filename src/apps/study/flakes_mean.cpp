@@ -11,7 +11,7 @@
 #include "apps/study/flakes.h"
 #include "apps/study/mir_2022.h"
 #include "nacre/bsdf/models/hot_spot_brdf.h"
-#include "nacre/core/angles.h"
+#include "nacre/core/math.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/random.h"
 #include "nacre/montecarlo/discs/disc_walk.h"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "nacre/core/angles.h"
+#include "nacre/core/math.h"
 #include "nacre/nacre.h"
 #include "nacre/testing/errors.h"
 #include "nacre/testing/fit.h"

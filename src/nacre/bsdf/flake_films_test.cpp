@@ -9,7 +9,7 @@
 
 #include "nacre/core/random.h"
 #include "nacre/optics/thickness_rule.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 namespace nacre::bsdf {
 namespace {

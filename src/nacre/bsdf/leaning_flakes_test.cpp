@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "nacre/bsdf/models/microflake.h"
-#include "nacre/core/angles.h"
+#include "nacre/core/math.h"
 #include "nacre/core/random.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/paint/beckmann.h"
@@ -18,7 +18,6 @@
 #include "nacre/testing/nacre_model.h"
 #include "nacre/testing/paints.h"
 #include "nacre/testing/statistics.h"
-#include "nacre/testing/worst.h"
 
 namespace nacre::bsdf {
 namespace {

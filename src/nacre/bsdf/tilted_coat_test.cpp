@@ -16,7 +16,6 @@
 #include "nacre/testing/nacre_model.h"
 #include "nacre/testing/paints.h"
 #include "nacre/testing/statistics.h"
-#include "nacre/testing/worst.h"
 
 namespace nacre::bsdf {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "nacre/core/error.h"
-#include "nacre/core/lane_count.h"
+#include "nacre/core/lanes.h"
 
 namespace nacre::bsdf {
 

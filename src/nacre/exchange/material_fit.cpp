@@ -9,8 +9,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/math.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/quiet_ceres.h"
 #include "nacre/core/random.h"

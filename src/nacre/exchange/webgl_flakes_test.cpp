@@ -17,7 +17,7 @@
 #include "nacre/spectra/spectrum.h"
 #include "nacre/testing/bsdf.h"
 #include "nacre/testing/paints.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 namespace nacre::exchange {
 namespace {
@@ -198,7 +198,7 @@ TEST(WebglFlakes, ColoursAreThoseThatTheShaderIsHeldTo) {
         const Vec3f wi = {sine, 0, std::sqrt(1 - sine * sine)};
         samples = bsdf::flake_samples(*bound[0], patch, wi, rng.next_u32());
         sparkle::FlakeView view;
-        field.look(patch.footprint, view, {1});
+        field.query(patch.footprint, view, {1});
         if (samples.empty()) continue;
         bsdf::FlakeSample& flake = samples.front();
         flake.pdf = flake.wo.z;  // what is asked for times the cosine over this

@@ -7,14 +7,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/half.h"
+#include "nacre/core/math.h"
 #include "nacre/solver/solver.h"
 #include "nacre/spectra/rgb.h"
 #include "nacre/spectra/spectrum.h"
 #include "nacre/testing/errors.h"
 #include "nacre/testing/paints.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 namespace nacre::exchange {
 namespace {

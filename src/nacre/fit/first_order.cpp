@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "nacre/core/error.h"
-#include "nacre/core/square.h"
+#include "nacre/core/math.h"
 
 namespace nacre::fit {
 namespace {

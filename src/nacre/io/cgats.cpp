@@ -1,5 +1,3 @@
-#include "nacre/io/cgats.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "nacre/core/csv.h"
 #include "nacre/core/error.h"
 #include "nacre/core/text.h"
+#include "nacre/io/measurement_formats.h"
 #include "nacre/io/measurement_table.h"
 #include "nacre/spectra/observer.h"
 

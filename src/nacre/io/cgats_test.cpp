@@ -1,11 +1,10 @@
-#include "nacre/io/cgats.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
 
 #include "nacre/core/error.h"
+#include "nacre/io/measurement_formats.h"
 #include "nacre/testing/errors.h"
 
 namespace nacre::io {

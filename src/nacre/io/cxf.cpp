@@ -1,5 +1,3 @@
-#include "nacre/io/cxf.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -14,6 +12,7 @@
 #include "nacre/core/csv.h"
 #include "nacre/core/error.h"
 #include "nacre/core/text.h"
+#include "nacre/io/measurement_formats.h"
 #include "nacre/io/measurement_table.h"
 #include "nacre/measure/geometry.h"
 #include "nacre/spectra/observer.h"

@@ -1,5 +1,3 @@
-#include "nacre/io/cxf.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,6 +6,7 @@
 #include "nacre/core/error.h"
 #include "nacre/core/text.h"
 #include "nacre/io/file_kind.h"
+#include "nacre/io/measurement_formats.h"
 #include "nacre/testing/errors.h"
 
 namespace nacre::io {

@@ -1,5 +1,3 @@
-#include "nacre/io/measurement_csv.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,6 +8,7 @@
 #include "nacre/core/error.h"
 #include "nacre/core/text.h"
 #include "nacre/io/measurement_columns.h"
+#include "nacre/io/measurement_formats.h"
 #include "nacre/io/measurement_table.h"
 #include "nacre/measure/measurement.h"
 #include "nacre/spectra/observer.h"

@@ -8,8 +8,8 @@
 
 #include "nacre/bsdf/measured/rgl.h"
 #include "nacre/bsdf/wavelength_lanes.h"
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/math.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/random.h"
 #include "nacre/measure/instrument.h"

@@ -11,8 +11,8 @@
 
 #include "nacre/bsdf/measured/merl.h"
 #include "nacre/bsdf/measured/rgl.h"
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/math.h"
 #include "nacre/testing/brdf.h"
 #include "nacre/testing/bsdf.h"
 

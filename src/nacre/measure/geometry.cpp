@@ -11,9 +11,8 @@
 #include <set>
 #include <string>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
-#include "nacre/core/polar.h"
+#include "nacre/core/math.h"
 #include "nacre/core/text.h"
 #include "nacre/core/vec.h"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/math.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
 #include "nacre/core/quadrature.h"

@@ -10,8 +10,8 @@
 #include <thread>
 #include <utility>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/math.h"
 #include "nacre/core/parallel.h"
 #include "nacre/testing/layers.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "nacre/core/angles.h"
+#include "nacre/core/math.h"
 
 namespace nacre::measure {
 

@@ -10,8 +10,8 @@
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/bsdf/leaning_flakes.h"
 #include "nacre/bsdf/local_coat.h"
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/math.h"
 #include "nacre/core/memory.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/random.h"
@@ -153,8 +153,8 @@ class Photographer {
         std::array<Spectrum, 2> diffuse;
     };
 
-    void look(std::size_t pixel, Workspace& workspace, PanelPictures& pictures,
-              SharedProgress& work) const {
+    void expose(std::size_t pixel, Workspace& workspace, PanelPictures& pictures,
+                SharedProgress& work) const {
         std::fill(workspace.by_lamp.begin(), workspace.by_lamp.end(), Spectrum{});
         workspace.diffuse.fill(Spectrum{});
         Rng rng(camera_.seed, pixel);
@@ -311,7 +311,7 @@ PanelPictures take_pictures(const bsdf::Bsdf& surface, const SparkleCamera& came
     SharedProgress counter(progress, rows);
     if (!surface.varies_over_surface() && !surface.coat_waves()) {
         Photographer::Workspace workspace(photographer);
-        photographer.look(0, workspace, pictures, counter);
+        photographer.expose(0, workspace, pictures, counter);
         for (PanelPicture& picture : pictures.by_lamp) spread_first(picture);
         if (!pictures.diffuse.empty()) pictures.diffuse[1] = pictures.diffuse[0];
         for (PanelPicture& picture : pictures.diffuse) spread_first(picture);
@@ -324,7 +324,7 @@ PanelPictures take_pictures(const bsdf::Bsdf& surface, const SparkleCamera& came
                             [&](std::size_t begin, std::size_t end) {
                                 Photographer::Workspace workspace(photographer);
                                 for (std::size_t p = begin; p < end; ++p)
-                                    photographer.look(p, workspace, pictures, counter);
+                                    photographer.expose(p, workspace, pictures, counter);
                             });
         counter.add(last - first);
         if (counter.stopped()) throw Stopped(fmt::format("{} was stopped", kTaking));

@@ -7,13 +7,36 @@
 #include <numbers>
 
 #include "nacre/core/error.h"
+#include "nacre/core/random.h"
 #include "nacre/testing/errors.h"
-#include "nacre/testing/panel_picture.h"
 
 namespace nacre::measure {
 namespace {
 
 using nacre::test::message_of;
+
+// Pictures with given pixels.
+
+PanelPicture uniform_picture(int side, double pixel_mm, double y) {
+    PanelPicture picture{side, side, pixel_mm, {}};
+    picture.xyz.assign(3 * picture.pixel_count(), static_cast<float>(y));
+    return picture;
+}
+
+void set_y(PanelPicture& picture, int x, int y, double value) {
+    picture.xyz[3 * (static_cast<std::size_t>(y) * picture.width + x) + 1] =
+        static_cast<float>(value);
+}
+void add_y(PanelPicture& picture, int x, int y, double value) {
+    picture.xyz[3 * (static_cast<std::size_t>(y) * picture.width + x) + 1] +=
+        static_cast<float>(value);
+}
+
+/// Of mean 0 and variance 1.                                        [box-muller-1958]
+double normal(Rng& rng) {
+    const double u = rng.uniform_double(), v = rng.uniform_double();
+    return std::sqrt(-2 * std::log1p(-u)) * std::cos(2 * std::numbers::pi * v);
+}
 
 // colour-science 0.4.7, contrast_sensitivity_function_Barten1999(u, sigma, X_0, E) with sigma and E
 // from pupil_diameter_Barten1999(L, X_0), sigma_Barten1999(0.5/60, 0.08/60, d) and

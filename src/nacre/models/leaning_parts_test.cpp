@@ -10,8 +10,8 @@
 
 #include "nacre/bsdf/leaning_flakes.h"
 #include "nacre/bsdf/models/nacre.h"
-#include "nacre/core/angles.h"
 #include "nacre/core/estimate.h"
+#include "nacre/core/math.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/random.h"
 #include "nacre/montecarlo/discs/disc_scene.h"

@@ -10,9 +10,9 @@
 
 #include "nacre/bsdf/models/microflake.h"
 #include "nacre/bsdf/models/nacre.h"
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
+#include "nacre/core/math.h"
 #include "nacre/core/random.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/models/spectral_brdf.h"

@@ -7,7 +7,7 @@
 #include "nacre/bsdf/models/microflake.h"
 #include "nacre/bsdf/models/nacre.h"
 #include "nacre/bsdf/models/nacre_arrays.h"
-#include "nacre/core/angles.h"
+#include "nacre/core/math.h"
 #include "nacre/measure/image_clarity.h"
 #include "nacre/render/render.h"
 #include "nacre/solver/solver.h"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "nacre/core/angles.h"
+#include "nacre/core/math.h"
 #include "nacre/render/render.h"
 #include "nacre/testing/plain_flakes.h"
 #include "nacre/testing/statistics.h"

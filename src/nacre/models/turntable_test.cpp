@@ -253,7 +253,7 @@ double widening_of(const Paint& paint) {
         0);
     const auto side_mm = static_cast<float>(2 * kPatch * radius_mm);
     const auto view = std::make_unique<sparkle::FlakeView>();
-    field.look({.position_mm = {}, .edge_mm = {{side_mm, 0, 0}, {0, side_mm, 0}}}, *view);
+    field.query({.position_mm = {}, .edge_mm = {{side_mm, 0, 0}, {0, side_mm, 0}}}, *view);
     return view->widening;
 }
 

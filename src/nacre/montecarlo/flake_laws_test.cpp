@@ -13,7 +13,7 @@
 #include "nacre/core/random.h"
 #include "nacre/solver/solver.h"
 #include "nacre/testing/paints.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 // Laws of flakes that are not Beckmann's: the solver, to which they are mixtures and sublayers,
 // against a walk that draws every flake from the law itself. The walk is one of its own: it shares

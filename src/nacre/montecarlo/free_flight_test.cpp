@@ -6,7 +6,7 @@
 #include "nacre/montecarlo/shell_walk.h"
 #include "nacre/paint/beckmann.h"
 #include "nacre/testing/montecarlo.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 namespace nacre::montecarlo {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/math.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/solver/rough_interface.h"
 #include "nacre/testing/montecarlo.h"

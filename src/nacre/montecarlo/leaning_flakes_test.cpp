@@ -15,12 +15,11 @@
 #include <vector>
 
 #include "nacre/bsdf/models/microflake.h"
-#include "nacre/core/angles.h"
+#include "nacre/core/math.h"
 #include "nacre/montecarlo/reference.h"
 #include "nacre/solver/solver.h"
 #include "nacre/testing/paints.h"
 #include "nacre/testing/statistics.h"
-#include "nacre/testing/worst.h"
 
 // Flakes that lean: the flat paint, asked in their frame, against walks among flakes that lean.
 

@@ -12,7 +12,6 @@
 #include "nacre/montecarlo/events.h"
 #include "nacre/testing/montecarlo.h"
 #include "nacre/testing/statistics.h"
-#include "nacre/testing/worst.h"
 
 namespace nacre::montecarlo {
 namespace {

@@ -7,7 +7,7 @@
 #include "nacre/optics/fresnel.h"
 #include "nacre/solver/solver.h"
 #include "nacre/testing/montecarlo.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 // The three models of one paint in one picture: a sphere, seen from far above, in a room whose
 // light changes smoothly with direction. The solved BRDF is integrated over the hemisphere of each

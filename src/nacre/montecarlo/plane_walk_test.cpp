@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/math.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/testing/montecarlo.h"
 #include "nacre/testing/reference_albedos.h"

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/estimate.h"
+#include "nacre/core/math.h"
 #include "nacre/core/part.h"
 #include "nacre/core/progress.h"
 #include "nacre/paint/recipe.h"

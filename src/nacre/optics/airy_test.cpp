@@ -11,7 +11,7 @@
 #include "nacre/core/random.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/optics/thin_film.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 namespace nacre::optics {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "nacre/core/square.h"
+#include "nacre/core/math.h"
 
 namespace nacre::optics {
 

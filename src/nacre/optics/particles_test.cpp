@@ -13,7 +13,6 @@
 #include "nacre/core/error.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/optics/mie.h"
-#include "nacre/optics/structure_factor.h"
 #include "nacre/testing/errors.h"
 
 namespace nacre::optics {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "nacre/core/lane_count.h"
+#include "nacre/core/lanes.h"
 
 namespace nacre::render {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "nacre/render/environment.h"
 #include "nacre/render/sampler.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 namespace nacre::render {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "nacre/core/angles.h"
+#include "nacre/core/math.h"
 #include "nacre/render/emission.h"
 #include "nacre/spectra/rgb.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "nacre/core/lane_count.h"
+#include "nacre/core/lanes.h"
 #include "nacre/spectra/colour.h"
 
 namespace nacre::render {

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "nacre/core/angles.h"
-#include "nacre/core/square.h"
+#include "nacre/core/math.h"
 
 namespace nacre::render {
 

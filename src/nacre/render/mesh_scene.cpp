@@ -11,8 +11,8 @@
 #include <optional>
 #include <set>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/file.h"
+#include "nacre/core/math.h"
 #include "nacre/core/text.h"
 #include "nacre/render/gltf.h"
 #include "nacre/render/mesh_file.h"

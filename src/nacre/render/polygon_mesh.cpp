@@ -9,7 +9,7 @@
 #include <limits>
 #include <numeric>
 
-#include "nacre/core/angles.h"
+#include "nacre/core/math.h"
 #include "nacre/core/text.h"
 #include "nacre/render/mesh_file.h"
 #include "nacre/render/mesh_formats.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "nacre/core/error.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 namespace nacre::render {
 namespace {

@@ -4,8 +4,8 @@
 #include <map>
 #include <variant>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/math.h"
 
 namespace nacre::render {
 

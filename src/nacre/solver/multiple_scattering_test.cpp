@@ -8,7 +8,7 @@
 
 #include "nacre/core/parallel.h"
 #include "nacre/solver/directions.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 namespace nacre::solver {
 namespace {

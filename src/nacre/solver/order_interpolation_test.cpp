@@ -6,11 +6,11 @@
 #include <cmath>
 #include <functional>
 
-#include "nacre/core/angles.h"
+#include "nacre/core/math.h"
 #include "nacre/solver/directions.h"
 #include "nacre/solver/solver.h"
 #include "nacre/testing/layers.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 namespace nacre::solver {
 namespace {

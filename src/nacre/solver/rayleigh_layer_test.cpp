@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "nacre/core/angles.h"
+#include "nacre/core/math.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/solver/solver.h"
 #include "nacre/testing/h_function.h"

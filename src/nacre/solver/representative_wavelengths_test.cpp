@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "nacre/core/angles.h"
+#include "nacre/core/math.h"
 #include "nacre/solver/solver.h"
 #include "nacre/testing/layers.h"
 #include "nacre/testing/paints.h"

@@ -9,10 +9,10 @@
 #include <numeric>
 #include <utility>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/lane_math.h"
 #include "nacre/core/lru_cache.h"
+#include "nacre/core/math.h"
 #include "nacre/core/parallel.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/solver/directions.h"

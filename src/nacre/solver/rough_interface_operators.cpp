@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/dense.h"
 #include "nacre/core/lru_cache.h"
+#include "nacre/core/math.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/quadrature.h"
 

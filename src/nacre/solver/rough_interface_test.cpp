@@ -6,15 +6,15 @@
 #include <cmath>
 #include <numbers>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/math.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/solver/rough_interface_operators.h"
 #include "nacre/solver/solver.h"
 #include "nacre/testing/layers.h"
 #include "nacre/testing/paints.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 namespace nacre::solver {
 namespace {

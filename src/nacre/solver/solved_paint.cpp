@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/lane_math.h"
+#include "nacre/core/math.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/solver/rough_interface.h"
 

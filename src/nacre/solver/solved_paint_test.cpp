@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "nacre/core/angles.h"
+#include "nacre/core/math.h"
 #include "nacre/testing/layers.h"
 
 // The closed form of single scattering.

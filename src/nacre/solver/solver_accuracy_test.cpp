@@ -6,12 +6,12 @@
 #include <numbers>
 #include <vector>
 
-#include "nacre/core/angles.h"
+#include "nacre/core/math.h"
 #include "nacre/optics/material.h"
 #include "nacre/solver/solver.h"
 #include "nacre/spectra/spectrum.h"
 #include "nacre/testing/layers.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 // The chosen nodes and orders against a solution with many more of both.
 

@@ -9,8 +9,8 @@
 #include <numbers>
 #include <string>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/math.h"
 #include "nacre/testing/errors.h"
 #include "nacre/testing/layers.h"
 

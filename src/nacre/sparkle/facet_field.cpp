@@ -7,8 +7,8 @@
 #include <tuple>
 #include <utility>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/math.h"
 #include "nacre/sparkle/lane_bits.h"
 
 namespace nacre::sparkle {

@@ -97,8 +97,8 @@ void FlakeField::leave_out(const ObjectSpaceFootprint& patch, FlakeView& view,
     begin(side_mm, stand_ins, view);
 }
 
-void FlakeField::look(const ObjectSpaceFootprint& patch, FlakeView& view,
-                      const StandIns& stand_ins) const {
+void FlakeField::query(const ObjectSpaceFootprint& patch, FlakeView& view,
+                       const StandIns& stand_ins) const {
     const PatchOutline outline(patch, smallest_radius_mm_, largest_radius_mm_);
     const Weights weights = begin(outline.size_mm, stand_ins, view);
     if (weights.resolved == 0) return;

@@ -68,9 +68,9 @@ class FlakeField {
         float light_area = 0;
     };
     /// Replaces `view` by what the patch shows.
-    void look(const ObjectSpaceFootprint& patch, FlakeView& view, const StandIns& stand_ins) const;
-    void look(const ObjectSpaceFootprint& patch, FlakeView& view) const { look(patch, view, {}); }
-    /// As look(), but the view lists no flakes: its background, at a fraction of the cost.
+    void query(const ObjectSpaceFootprint& patch, FlakeView& view, const StandIns& stand_ins) const;
+    void query(const ObjectSpaceFootprint& patch, FlakeView& view) const { query(patch, view, {}); }
+    /// As query(), but the view lists no flakes: its background, at a fraction of the cost.
     void leave_out(const ObjectSpaceFootprint& patch, FlakeView& view,
                    const StandIns& stand_ins) const;
     /// Area of slopes, for a typical flake that mirrors the direction of this cosine inside upwards,
@@ -82,7 +82,7 @@ class FlakeField {
     /// flakes lie over each other that not even a point does.
     double exact_side_mm() const;
 
-    /// What look() works with, for programs that look themselves, such as shaders.
+    /// What query() works with, for programs that do it themselves, such as shaders.
     struct Constants {
         static constexpr int kLevels = 5;
         static constexpr int kSideBits = 2;  ///< the sides of the cells double as often from level

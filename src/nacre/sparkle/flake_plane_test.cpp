@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "nacre/core/random.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 namespace nacre::sparkle {
 namespace {

@@ -26,7 +26,7 @@ double mean_count(const FlakeField& field, double side_mm, bool tilted, FlakeVie
     for (int i = 0; i < kPatches; ++i) {
         const auto n = static_cast<float>(i);
         patch.position_mm = {7.3f * n * side, -3.1f * n * side, 3};
-        field.look(patch, view);
+        field.query(patch, view);
         sum += view.count;
     }
     return sum / kPatches;

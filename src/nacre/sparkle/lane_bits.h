@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <cstring>
 
-#include "nacre/core/lane_count.h"
 #include "nacre/core/lane_math.h"
 #include "nacre/core/lanes.h"
 

@@ -5,10 +5,10 @@
 #include <numbers>
 #include <vector>
 
-#include "nacre/core/angles.h"
+#include "nacre/core/math.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/sparkle/diffraction_lobe.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 // The contrast of flakes that diffract, by the model's lobe and by the Airy pattern.
 //

@@ -6,7 +6,6 @@
 #include <numbers>
 #include <utility>
 
-#include "nacre/core/lane_angle.h"
 #include "nacre/core/lane_math.h"
 #include "nacre/core/vec.h"
 #include "nacre/sparkle/footprint.h"

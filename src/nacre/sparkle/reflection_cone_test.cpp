@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/math.h"
 #include "nacre/core/random.h"
 #include "nacre/paint/beckmann.h"
 #include "nacre/testing/directions.h"

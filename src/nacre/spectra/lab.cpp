@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/math.h"
 #include "nacre/spectra/rgb.h"
 
 namespace nacre::spectra {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "nacre/core/error.h"
-#include "nacre/core/square.h"
+#include "nacre/core/math.h"
 #include "nacre/spectra/rgb.h"
 
 namespace nacre::spectra {

@@ -11,7 +11,7 @@
 #include "nacre/spectra/lab.h"
 #include "nacre/spectra/rgb.h"
 #include "nacre/spectra/xyz.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 namespace nacre::spectra {
 namespace {

@@ -12,7 +12,7 @@
 #include "nacre/core/random.h"
 #include "nacre/paint/recipe.h"
 #include "nacre/testing/directions.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 // Only for tests of surfaces: statistics of their samples.
 

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/lanes.h"
-#include "nacre/core/polar.h"
+#include "nacre/core/math.h"
 #include "nacre/core/random.h"
 #include "nacre/core/vec.h"
 

@@ -3,9 +3,16 @@
 #include <cmath>
 #include <vector>
 
-// Only for tests: bounds for the deviation of random estimates from their expectation.
+// Only for tests: deviations from what is expected, and bounds for those of random estimates.
 
 namespace nacre::test {
+
+/// The larger of two deviations, NaN if one of them is. Of a NaN std::max() would keep the other, and a
+/// bound for the worst deviation would hold.
+template <class T>
+T worse(T worst, T value) {
+    return std::isnan(worst) || value <= worst ? worst : value;
+}
 
 /// Bound for the error of a right result, in standard errors: one in 30000 normal values lies
 /// beyond. Seeds are fixed, so that a test that passes once passes always; the bound says how

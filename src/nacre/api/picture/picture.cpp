@@ -56,7 +56,8 @@ class Painter {
         return model;
     }
 
-    std::shared_ptr<const bsdf::Bsdf> look(std::size_t paint, const std::optional<Model>& model) {
+    std::shared_ptr<const bsdf::Bsdf> appearance(std::size_t paint,
+                                                 const std::optional<Model>& model) {
         for (const Look& known : opened_[paint].looks) {
             if (!known.model || *known.model == *model) return known.surface;
         }
@@ -241,7 +242,7 @@ Scene::Scene(render::SceneDescription description, const ScenePaints& paints,
         const auto& wanted = std::get<render::PaintMaterial>(description.materials.at(name));
         naming_place(wanted, [&, &name = name, found = found] {
             const std::optional<Model> model = painter.model_on(description, name, found);
-            table[name] = painter.look(found, model);
+            table[name] = painter.appearance(found, model);
             if (model) model_settings_[name] = model->text();
         });
         const Paint& paint = painter.paint(found);

@@ -9,8 +9,8 @@
 #include "nacre/bsdf/flake_lobe.h"
 #include "nacre/bsdf/warp.h"
 #include "nacre/bsdf/wavelength_lanes.h"
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/math.h"
 #include "nacre/core/parallel.h"
 
 namespace nacre::bsdf {

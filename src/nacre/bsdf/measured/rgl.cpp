@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "nacre/bsdf/wavelength_lanes.h"
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
-#include "nacre/core/lane_angle.h"
+#include "nacre/core/lane_math.h"
+#include "nacre/core/math.h"
 #include "nacre/core/parallel.h"
 
 namespace nacre::bsdf {

@@ -8,7 +8,7 @@
 
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/bsdf/warp.h"
-#include "nacre/core/angles.h"
+#include "nacre/core/math.h"
 
 // A measured BRDF in the adaptive parameterization of the RGL material database: plain arrays with
 // the names of the file format (read and written by io/measured_brdf_file.h), and the surface that

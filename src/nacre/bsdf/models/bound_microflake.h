@@ -17,7 +17,6 @@
 #include "nacre/bsdf/models/interface_lobe.h"
 #include "nacre/bsdf/models/leaning_tables.h"
 #include "nacre/bsdf/models/microflake.h"
-#include "nacre/bsdf/models/ray.h"
 #include "nacre/bsdf/paint_interface.h"
 #include "nacre/bsdf/reflection_warp.h"
 #include "nacre/bsdf/smooth_table.h"

@@ -9,7 +9,7 @@
 
 #include "nacre/bsdf/varied_coat.h"
 #include "nacre/testing/nacre_model.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 // A tinted coat at a thickness other than its mean, against the paint solved anew with that thickness.
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "nacre/core/lanes.h"
+#include "nacre/core/vec.h"
 #include "nacre/solver/medium.h"
 
 // Tables of functions of one direction, which models of flakes share.
@@ -25,5 +26,24 @@ std::vector<float> tabulate_inside(
 
 /// [layer][direction][wavelength]: extinction in 1/um of the direction refracted into the coat.
 std::vector<std::vector<float>> extinction_by_direction(const solver::PaintMedium& medium);
+
+/// One direction, and what evaluation and sampling both need of it.
+struct Ray {
+    Vec3f outside, inside;  ///< inside: refracted with the mean index
+    float sine, x;          ///< outside: sin theta, tan(theta/2)
+    int row;                ///< of the direction tables
+    float fraction;
+
+    /// A function of direction between its rows.
+    template <class T>
+    T look_up(const std::vector<T>& table) const {
+        return table[row] + fraction * (table[row + 1] - table[row]);
+    }
+};
+
+/// @param w  outside, in the upper hemisphere
+Ray make_ray(Vec3f w, float inverse_mean_ior);
+/// @param theta, phi  of that direction
+Ray make_ray(double theta, double phi, float inverse_mean_ior);
 
 }  // namespace nacre::bsdf

@@ -114,7 +114,7 @@ std::vector<HotSpotBlock::Exit> HotSpotBlock::exits(const Quadrature& polar) con
 
 HotSpotBlock::Budget HotSpotBlock::budget(const Ray& i, std::span<const Exit> exits) const {
     Budget sum;
-    sum.again = scattered_once(i);
+    sum.rescattered = scattered_once(i);
     add_flakes(i, sum);
     add_others(i, exits, sum);
     return sum;
@@ -224,8 +224,8 @@ void HotSpotBlock::add_others(const Ray& i, std::span<const Exit> exits, Budget&
         }
         const HotSpot::Pair both = pair(i, o);
         const FloatLanes once = both.ground() * exit.ground_lost;
-        sum.again -= once;
-        sum.gained += once * (both.ground_gain() - 1.0f);
+        sum.rescattered -= once;
+        sum.hot_spot += once * (both.ground_gain() - 1.0f);
     }
 }
 
@@ -240,8 +240,8 @@ void HotSpotBlock::add_once(std::size_t layer, const Ray& i, const Ray& o, const
     const FloatLanes here = thickness_um * rate(layer, i, o);
     const FloatLanes once =
         per_um * exp_lanes(-depth) * thickness_um * mean_attenuation(here) * lost(o);
-    sum.again -= once;
-    sum.gained += once * (pair(i, o).mean(layer, here) - 1.0f);
+    sum.rescattered -= once;
+    sum.hot_spot += once * (pair(i, o).mean(layer, here) - 1.0f);
 }
 
 }  // namespace nacre::bsdf

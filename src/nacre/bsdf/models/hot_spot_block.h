@@ -43,14 +43,15 @@ class HotSpotBlock {
 
     /// Of the light that has just entered the coat from one direction.
     struct Budget {
-        FloatLanes again{};   ///< Phi: is there to be scattered again, by the equation of transfer
-        FloatLanes gained{};  ///< dPhi: of it, what leaves with the hot spot
+        FloatLanes
+            rescattered{};  ///< Phi: is there to be scattered again, by the equation of transfer
+        FloatLanes hot_spot{};  ///< dPhi: of it, what leaves with the hot spot
     };
     /// A direction that light leaves in which is scattered evenly.
     struct Exit {
         Ray ray;
         FloatLanes solid_angle;  ///< inside, projected, and of the other half of the azimuths too
-        FloatLanes ground_lost;  ///< of it, the share of the ground's light that lost() takes
+        FloatLanes ground_lost;  ///< of it, the fraction of the ground's light that lost() takes
     };
     /// @param polar  nodes of the angle outside
     /// @return none where all is flakes

@@ -96,8 +96,8 @@ std::vector<float> compensation_factors(const solver::SolvedPaint& paint,
         std::vector<FloatLanes> kept(n), entering(n), ground(pair(n, 0));  // kept: 1 - dPhi / Phi
         parallel_for(0, n, [&](std::size_t a) {
             const HotSpotBlock::Budget budget = paint_block.budget(rays[a], exits);
-            const FloatLanes again = max_lanes(budget.again, splat(1e-20f));
-            kept[a] = max_lanes(1.0f - budget.gained / again, FloatLanes{});
+            const FloatLanes rescattered = max_lanes(budget.rescattered, splat(1e-20f));
+            kept[a] = max_lanes(1.0f - budget.hot_spot / rescattered, FloatLanes{});
             entering[a] = paint_block.transmittance(rays[a]);
             for (int b = 0; b < n; ++b) {
                 ground[pair(a, b)] = paint_block.pair(rays[a], rays[b]).ground();

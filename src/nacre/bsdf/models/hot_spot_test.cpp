@@ -8,14 +8,13 @@
 
 #include "nacre/bsdf/models/hot_spot_brdf.h"
 #include "nacre/bsdf/models/hot_spot_compensation.h"
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/lane_math.h"
+#include "nacre/core/math.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/testing/nacre_model.h"
 #include "nacre/testing/statistics.h"
-#include "nacre/testing/worst.h"
 
 // The hot spot of the nacre model, and where its light comes from. Against explicit discs:
 // apps/study/flakes_mean_test.cpp.

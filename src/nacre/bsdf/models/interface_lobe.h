@@ -4,7 +4,7 @@
 
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/bsdf/flake_lobe.h"
-#include "nacre/bsdf/models/ray.h"
+#include "nacre/bsdf/models/direction_tables.h"
 #include "nacre/core/lanes.h"
 #include "nacre/core/vec.h"
 

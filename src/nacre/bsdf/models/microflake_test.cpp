@@ -4,13 +4,13 @@
 
 #include <cmath>
 
-#include "nacre/core/angles.h"
+#include "nacre/core/math.h"
 #include "nacre/core/random.h"
 #include "nacre/solver/solver.h"
 #include "nacre/spectra/spectrum.h"
 #include "nacre/testing/bsdf.h"
 #include "nacre/testing/paints.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 namespace nacre::bsdf {
 namespace {

@@ -204,12 +204,13 @@ CoatChange BoundNacre::coat_change(Vec3f wi, Vec3f wo, float deviation) const {
     const Ray i = make_ray(wi), o = make_ray(wo);
     CoatNodes table = coat_nodes(i, o);
     if (!hot_spot_nodes_.empty()) {
-        const auto again = [&](const HotSpot& hot_spot, const FloatLanes& multiple) {
+        const auto compensated = [&](const HotSpot& hot_spot, const FloatLanes& multiple) {
             const HotSpot::Pair pair(hot_spot, i, o);
             return pair.compensation() * max_lanes(multiple - pair.ground(), FloatLanes{});
         };
-        table = {again(*hot_spot_, table.mean), again(hot_spot_nodes_[0], table.thinner),
-                 again(hot_spot_nodes_[1], table.thicker)};
+        table = {compensated(*hot_spot_, table.mean),
+                 compensated(hot_spot_nodes_[0], table.thinner),
+                 compensated(hot_spot_nodes_[1], table.thicker)};
     }
     return BoundMicroflake::coat_change(i, o, deviation, table);
 }

@@ -189,13 +189,13 @@ class BoundNacre final : public BoundMicroflake {
         float flakes;       // all resolved
         float per_species;  // times NacreSpecies::fraction times weight_sum: those of one species
     };
-    Probability probability_on(const PatchFlakes& look, const Ray& i) const;
-    std::optional<Vec3f> draw_flake(const PatchFlakes& look, const Probability& probability,
+    Probability probability_on(const PatchFlakes& views, const Ray& i) const;
+    std::optional<Vec3f> draw_flake(const PatchFlakes& views, const Probability& probability,
                                     const Ray& i, float u_flake, Vec2f u) const;
     // Per solid angle outside, of draw_flake().
-    float flake_density(const PatchFlakes& look, const Probability& probability, const Ray& i,
+    float flake_density(const PatchFlakes& views, const Probability& probability, const Ray& i,
                         const Ray& o) const;
-    FloatLanes value_on(const Patch& patch, const PatchFlakes& look, const Ray& i,
+    FloatLanes value_on(const Patch& patch, const PatchFlakes& views, const Ray& i,
                         const Ray& o) const;
     // Of one flake and what lies above it in its layer, with its films over their mean.
     FloatLanes relative_attenuation(std::size_t species, std::size_t layer,

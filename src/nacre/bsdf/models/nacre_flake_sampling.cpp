@@ -180,14 +180,14 @@ void BoundNacre::sample_flakes(const Patch& patch, Vec3f wi, std::uint32_t rando
     // Directions of one flake are a lattice, shifted at random [cranley-patterson-1976].
     constexpr float kGolden = std::numbers::phi_v<float> - 1;
     if (wi.z <= 0) return;
-    const PatchFlakes look(*this, patch, wi);
+    const PatchFlakes views(*this, patch, wi);
     const Ray i = make_ray(wi);
     const MeanFlakeReflectance::Place place(wi.z, MeanFlakeReflectance::kEyeIntervals);
     std::size_t layer = 0;
     for (std::size_t s = 0; s < tables_->species.size(); ++s) {
         while (layer + 1 < tables_->first_species.size() && tables_->first_species[layer + 1] <= s)
             ++layer;
-        const FlakeView& view = look[s];
+        const FlakeView& view = views[s];
         const NacreSpecies& species = tables_->species[s];
         const FloatLanes depth = depth_there_and_back(layer, i);
         const MeanFlakeReflectance& flakes = mean_flake_reflectance_[s];
@@ -272,11 +272,11 @@ float BoundNacre::flake_pdf(const FlakeView& view, float directions, std::size_t
 }
 
 FloatLanes BoundNacre::flake_weight(const Patch& patch, Vec3f wi, const FlakeSample& sample) const {
-    const PatchFlakes look(*this, patch, wi);
+    const PatchFlakes views(*this, patch, wi);
     const Ray i = make_ray(wi), o = make_ray(sample.wo);
     const HalfVector half(i, o, coat());
     const auto species = static_cast<std::size_t>(sample.species);
-    const sparkle::FlakeView& view = look[species];
+    const sparkle::FlakeView& view = views[species];
     const float fraction = view.fraction(tables_->species[species].field.lobe(), half.slope,
                                          half.cosine, sample.flake, half.spread2);
     if (fraction == 0) return FloatLanes{};
@@ -287,13 +287,13 @@ FloatLanes BoundNacre::flake_weight(const Patch& patch, Vec3f wi, const FlakeSam
 
 FloatLanes BoundNacre::flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float pdf) const {
     if (wi.z <= 0 || wo.z <= 0) return FloatLanes{};
-    const PatchFlakes look(*this, patch, wi);
+    const PatchFlakes views(*this, patch, wi);
     const Ray i = make_ray(wi), o = make_ray(wo);
     const HalfVector half(i, o, coat());
     FloatLanes sum{};
     for (std::size_t s = 0; s < tables_->species.size(); ++s) {
         const sparkle::DiffractionLobe& lobe = tables_->species[s].field.lobe();
-        const sparkle::FlakeView& view = look[s];
+        const sparkle::FlakeView& view = views[s];
         if (view.count == 0 || !lobe.reaches(half.slope2)) continue;
         const DirectionCounts directions(view, tables_->species[s].directions);
         SomeFlakes flakes(*this, s, view, i, o);

@@ -70,14 +70,17 @@ class BoundNacre::WithHotSpot {
 // In place of MeanFlakes: those of a patch.
 class BoundNacre::FlakesOfPatch : public WithHotSpot {
  public:
-    FlakesOfPatch(const BoundNacre& surface, const PatchFlakes& look, const Ray& i, const Ray& o)
-        : WithHotSpot(surface, i, o), surface_(surface), look_(look), half_(i, o, surface.coat()) {}
+    FlakesOfPatch(const BoundNacre& surface, const PatchFlakes& views, const Ray& i, const Ray& o)
+        : WithHotSpot(surface, i, o),
+          surface_(surface),
+          views_(views),
+          half_(i, o, surface.coat()) {}
 
     FloatLanes factor(std::size_t layer, std::size_t flake, const FloatLanes& depth) const {
         const std::size_t at = surface_.tables_->first_species[layer] + flake;
         const sparkle::DiffractionLobe& lobe = surface_.tables_->species[at].field.lobe();
         if (!lobe.reaches(half_.slope2)) return pair_ ? pair_->mean(layer, depth) : splat(1.0f);
-        const sparkle::FlakeView& view = look_[at];
+        const sparkle::FlakeView& view = views_[at];
         FloatLanes reflected{};
         bool any = false;
         const float background = view.for_each_reflecting_flake(
@@ -97,29 +100,33 @@ class BoundNacre::FlakesOfPatch : public WithHotSpot {
 
  private:
     const BoundNacre& surface_;
-    const PatchFlakes& look_;
+    const PatchFlakes& views_;
     HalfVector half_;
 };
 
 // In place of MeanFlakes: the background, without the flakes that are sampled one by one.
 class BoundNacre::BackgroundFlakes : public WithHotSpot {
  public:
-    BackgroundFlakes(const BoundNacre& surface, const PatchFlakes& look, const Ray& i, const Ray& o)
-        : WithHotSpot(surface, i, o), surface_(surface), look_(look), half_(i, o, surface.coat()) {}
+    BackgroundFlakes(const BoundNacre& surface, const PatchFlakes& views, const Ray& i,
+                     const Ray& o)
+        : WithHotSpot(surface, i, o),
+          surface_(surface),
+          views_(views),
+          half_(i, o, surface.coat()) {}
 
     FloatLanes factor(std::size_t layer, std::size_t flake, const FloatLanes& depth) const {
         const std::size_t at = surface_.tables_->first_species[layer] + flake;
         const sparkle::DiffractionLobe& lobe = surface_.tables_->species[at].field.lobe();
         const float background =
             lobe.reaches(half_.slope2)
-                ? look_[at].background_at(lobe, half_.slope2, half_.cosine, half_.spread2)
+                ? views_[at].background_at(lobe, half_.slope2, half_.cosine, half_.spread2)
                 : 1.0f;
         return pair_ && background > 0 ? background * pair_->mean(layer, depth) : splat(background);
     }
 
  private:
     const BoundNacre& surface_;
-    const PatchFlakes& look_;
+    const PatchFlakes& views_;
     HalfVector half_;
 };
 

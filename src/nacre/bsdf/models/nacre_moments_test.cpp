@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "nacre/bsdf/flake_films.h"
-#include "nacre/core/angles.h"
+#include "nacre/core/math.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/optics/thickness_rule.h"
 #include "nacre/solver/directions.h"

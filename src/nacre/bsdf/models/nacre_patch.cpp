@@ -36,13 +36,13 @@ BoundNacre::PatchFlakes::PatchFlakes(const BoundNacre& surface, const Patch& pat
         FlakeView& view = *new (views + s) FlakeView;
         const sparkle::FlakeField& field = species[s].field;
         if (patch.flakes == Patch::Flakes::shown) {
-            field.look(patch.footprint, view);
+            field.query(patch.footprint, view);
             continue;
         }
         const sparkle::FlakeField::StandIns stand_ins{
             narrow ? std::min(1.0f, surface.slope_density(s, wi) / patch.narrow_light_pdf) : kWide};
         if (patch.flakes == Patch::Flakes::sampled) {
-            field.look(patch.footprint, view, stand_ins);
+            field.query(patch.footprint, view, stand_ins);
         } else {
             field.leave_out(patch.footprint, view, stand_ins);
         }
@@ -118,20 +118,20 @@ void BoundNacre::relative_attenuations(std::size_t species, std::size_t layer,
     }
 }
 
-FloatLanes BoundNacre::value_on(const Patch& patch, const PatchFlakes& look, const Ray& i,
+FloatLanes BoundNacre::value_on(const Patch& patch, const PatchFlakes& views, const Ray& i,
                                 const Ray& o) const {
     if (patch.flakes != Patch::Flakes::shown)
-        return value(i, o, BackgroundFlakes(*this, look, i, o));
-    return value(i, o, FlakesOfPatch(*this, look, i, o));
+        return value(i, o, BackgroundFlakes(*this, views, i, o));
+    return value(i, o, FlakesOfPatch(*this, views, i, o));
 }
 
-BoundNacre::Probability BoundNacre::probability_on(const PatchFlakes& look, const Ray& i) const {
+BoundNacre::Probability BoundNacre::probability_on(const PatchFlakes& views, const Ray& i) const {
     const SamplingProbabilities& mean = probabilities_at(i);
     float background = 0, resolved = 0;
     for (std::size_t s = 0; s < tables_->species.size(); ++s) {
         const float fraction = tables_->species[s].fraction;
-        background += fraction * look[s].background;
-        resolved += fraction * look[s].weight_sum;
+        background += fraction * views[s].background;
+        resolved += fraction * views[s].weight_sum;
     }
     Probability probability;
     probability.lobes = mean;
@@ -148,13 +148,14 @@ BoundNacre::Probability BoundNacre::probability_on(const PatchFlakes& look, cons
     return probability;
 }
 
-std::optional<Vec3f> BoundNacre::draw_flake(const PatchFlakes& look, const Probability& probability,
-                                            const Ray& i, float u_flake, Vec2f u) const {
+std::optional<Vec3f> BoundNacre::draw_flake(const PatchFlakes& views,
+                                            const Probability& probability, const Ray& i,
+                                            float u_flake, Vec2f u) const {
     float rest = u_flake;
     std::size_t last = 0;
     for (std::size_t s = 0; s < tables_->species.size(); ++s) {
         const float part =
-            probability.per_species * tables_->species[s].fraction * look[s].weight_sum;
+            probability.per_species * tables_->species[s].fraction * views[s].weight_sum;
         if (part == 0) continue;
         last = s;
         if (rest < part) {
@@ -163,20 +164,20 @@ std::optional<Vec3f> BoundNacre::draw_flake(const PatchFlakes& look, const Proba
         }
         rest -= part;
     }
-    const sparkle::FlakeView& view = look[last];
+    const sparkle::FlakeView& view = views[last];
     const Vec2f slope = view.sample_slope(tables_->species[last].field.lobe(), i.inside,
                                           std::min(rest, 0x1.fffffep-1f), u);
     const Vec3f m = normalize(Vec3f{slope.x, slope.y, 1});
     return leave(2 * dot(i.inside, m) * m - i.inside);
 }
 
-float BoundNacre::flake_density(const PatchFlakes& look, const Probability& probability,
+float BoundNacre::flake_density(const PatchFlakes& views, const Probability& probability,
                                 const Ray& i, const Ray& o) const {
     if (probability.flakes == 0) return 0;
     const HalfVector half(i, o, coat());
     float sum = 0;
     for (std::size_t s = 0; s < tables_->species.size(); ++s) {
-        const sparkle::FlakeView& view = look[s];
+        const sparkle::FlakeView& view = views[s];
         if (view.weight_sum == 0) continue;
         const NacreSpecies& species = tables_->species[s];
         sum += species.fraction * view.weight_sum *
@@ -188,29 +189,30 @@ float BoundNacre::flake_density(const PatchFlakes& look, const Probability& prob
 BsdfValue BoundNacre::evaluate_on(const Patch& patch, Vec3f wi, Vec3f wo) const {
     if (wi.z <= 0 || wo.z <= 0) return {};
     if (tables_->species.empty()) return evaluate(wi, wo);
-    const PatchFlakes look(*this, patch, wi);
+    const PatchFlakes views(*this, patch, wi);
     const Ray i = make_ray(wi), o = make_ray(wo);
     if (patch.flakes != Patch::Flakes::shown) {
-        return {value_on(patch, look, i, o), density(probabilities_at(i), i, o)};
+        return {value_on(patch, views, i, o), density(probabilities_at(i), i, o)};
     }
-    const Probability probability = probability_on(look, i);
-    return {value_on(patch, look, i, o),
-            density(probability.lobes, i, o) + flake_density(look, probability, i, o)};
+    const Probability probability = probability_on(views, i);
+    return {value_on(patch, views, i, o),
+            density(probability.lobes, i, o) + flake_density(views, probability, i, o)};
 }
 
 std::optional<BsdfSample> BoundNacre::sample_on(const Patch& patch, Vec3f wi, float u_select,
                                                 Vec2f u) const {
     if (wi.z <= 0) return std::nullopt;
     if (tables_->species.empty()) return sample(wi, u_select, u);
-    const PatchFlakes look(*this, patch, wi);
+    const PatchFlakes views(*this, patch, wi);
     const Ray i = make_ray(wi);
     if (patch.flakes != Patch::Flakes::shown) {
-        return sample_by(i, u_select, u, [&](const Ray& o) { return value_on(patch, look, i, o); });
+        return sample_by(i, u_select, u,
+                         [&](const Ray& o) { return value_on(patch, views, i, o); });
     }
-    const Probability probability = probability_on(look, i);
+    const Probability probability = probability_on(views, i);
     BsdfSample s;
     if (u_select < probability.flakes) {
-        const auto wo = draw_flake(look, probability, i, u_select, u);
+        const auto wo = draw_flake(views, probability, i, u_select, u);
         if (!wo) return std::nullopt;
         s.wo = *wo;
     } else {
@@ -221,9 +223,9 @@ std::optional<BsdfSample> BoundNacre::sample_on(const Patch& patch, Vec3f wi, fl
         if (s.wo.z <= 0) return std::nullopt;
     }
     const Ray o = make_ray(s.wo);
-    s.pdf = density(probability.lobes, i, o) + flake_density(look, probability, i, o);
+    s.pdf = density(probability.lobes, i, o) + flake_density(views, probability, i, o);
     if (!(s.pdf > 0)) return std::nullopt;
-    s.weight = value_on(patch, look, i, o) * (s.wo.z / s.pdf);
+    s.weight = value_on(patch, views, i, o) * (s.wo.z / s.pdf);
     return s;
 }
 
@@ -232,8 +234,8 @@ UnitRange BoundNacre::interface_lobe_range(const Patch* patch, Vec3f wi) const {
         !under_rough_coat() || wi.z <= 0) {
         return BoundMicroflake::interface_lobe_range(patch, wi);
     }
-    const PatchFlakes look(*this, *patch, wi);
-    const Probability probability = probability_on(look, make_ray(wi));
+    const PatchFlakes views(*this, *patch, wi);
+    const Probability probability = probability_on(views, make_ray(wi));
     return {probability.flakes, probability.flakes + probability.lobes.interface};
 }
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "nacre/core/angles.h"
+#include "nacre/core/math.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/testing/nacre_model.h"

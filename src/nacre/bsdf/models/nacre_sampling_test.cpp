@@ -7,7 +7,7 @@
 #include "nacre/spectra/spectrum.h"
 #include "nacre/testing/allocations.h"
 #include "nacre/testing/nacre_model.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 // Sampling of the nacre model on a patch, with and without a patch's memory.
 

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "nacre/bsdf/models/hot_spot.h"
-#include "nacre/core/angles.h"
+#include "nacre/core/math.h"
 #include "nacre/paint/beckmann.h"
 #include "nacre/solver/solver.h"
 #include "nacre/testing/nacre_model.h"

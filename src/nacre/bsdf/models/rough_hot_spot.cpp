@@ -179,7 +179,7 @@ class RoughHotSpot {
 
     solver::SolvedPaint run() {
         once_.assign(nodes_ * nodes_ * wavelengths_, 0.0);
-        gained_ = once_;
+        hot_spot_ = once_;
         parallel_for(0, nodes_, [&](int i) {
             for (int j = 0; j <= i; ++j) add_gain(i, j);
         });
@@ -257,7 +257,7 @@ class RoughHotSpot {
         }
         for (std::size_t w = 0; w < wavelengths_; ++w) {
             once_[pair(i, j) + w] = once_[pair(j, i) + w] = once[w];
-            gained_[pair(i, j) + w] = gained_[pair(j, i) + w] = with_hot_spot[w] - once[w];
+            hot_spot_[pair(i, j) + w] = hot_spot_[pair(j, i) + w] = with_hot_spot[w] - once[w];
         }
     }
 
@@ -298,16 +298,16 @@ class RoughHotSpot {
         parallel_for(std::size_t{0}, wavelengths_, [&](std::size_t w) {
             std::vector<double> matrix(static_cast<std::size_t>(nodes_) * nodes_), sum(nodes_);
             for (int a = 0; a < nodes_; ++a) {
-                double again = entered[a * wavelengths_ + w], gained = 0;
+                double rescattered = entered[a * wavelengths_ + w], hot_spot = 0;
                 for (int b = 0; b < nodes_; ++b) {
                     const double taken = flux_[b] * lost[b * wavelengths_ + w];
-                    again -= taken * once_[pair(a, b) + w];
-                    gained += taken * gained_[pair(a, b) + w];
+                    rescattered -= taken * once_[pair(a, b) + w];
+                    hot_spot += taken * hot_spot_[pair(a, b) + w];
                     const double* const f = multiple_.at(0, a, b);
                     matrix[a * nodes_ + b] = f ? flux_[b] * std::max(0.0, f[w]) : 0.0;
                     sum[a] += matrix[a * nodes_ + b];
                 }
-                sum[a] *= std::max(0.0, 1 - gained / std::max(again, 1e-20));
+                sum[a] *= std::max(0.0, 1 - hot_spot / std::max(rescattered, 1e-20));
             }
             const std::vector<double> g = balance(matrix, sum);
             for (int a = 0; a < nodes_; ++a) scale[a * wavelengths_ + w] = g[a];
@@ -326,7 +326,7 @@ class RoughHotSpot {
     std::vector<Ray> rays_;
     std::vector<double> flux_;               // of a node, of 1/sr
     std::vector<double> entering_, ground_;  // by node and wavelength
-    std::vector<double> once_, gained_;      // order 0, by pair of nodes and wavelength
+    std::vector<double> once_, hot_spot_;    // order 0, by pair of nodes and wavelength
 };
 
 }  // namespace

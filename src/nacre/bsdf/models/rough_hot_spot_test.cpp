@@ -6,12 +6,11 @@
 #include <numbers>
 
 #include "nacre/bsdf/models/hot_spot_brdf.h"
-#include "nacre/core/angles.h"
+#include "nacre/core/math.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/sparkle/coat_tilt.h"
 #include "nacre/testing/nacre_model.h"
 #include "nacre/testing/statistics.h"
-#include "nacre/testing/worst.h"
 
 // The hot spot under a rough clearcoat. Against explicit discs: apps/study/flakes_mean_test.cpp.
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/math.h"
 #include "nacre/core/random.h"
 #include "nacre/optics/antialiased.h"
 #include "nacre/optics/fresnel.h"

@@ -12,7 +12,7 @@
 #include "nacre/core/random.h"
 #include "nacre/spectra/rgb.h"
 #include "nacre/testing/layers.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 namespace nacre::bsdf {
 namespace {

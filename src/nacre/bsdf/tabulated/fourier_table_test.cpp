@@ -12,7 +12,7 @@
 #include "nacre/spectra/rgb.h"
 #include "nacre/testing/bsdf.h"
 #include "nacre/testing/paints.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 namespace nacre::bsdf {
 namespace {

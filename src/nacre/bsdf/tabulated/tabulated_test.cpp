@@ -5,14 +5,14 @@
 #include <cmath>
 
 #include "nacre/bsdf/models/microflake.h"
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/math.h"
 #include "nacre/core/random.h"
 #include "nacre/solver/solver.h"
 #include "nacre/spectra/rgb.h"
 #include "nacre/testing/bsdf.h"
 #include "nacre/testing/paints.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 namespace nacre::bsdf {
 namespace {

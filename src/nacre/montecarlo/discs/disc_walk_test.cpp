@@ -8,7 +8,7 @@
 #include "nacre/core/error.h"
 #include "nacre/montecarlo/plane_walk.h"
 #include "nacre/testing/discs.h"
-#include "nacre/testing/worst.h"
+#include "nacre/testing/statistics.h"
 
 namespace nacre::montecarlo {
 namespace {

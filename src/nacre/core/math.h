@@ -4,10 +4,13 @@
 #include <numbers>
 
 #include "nacre/core/error.h"
+#include "nacre/core/vec.h"
 
 // Angles are in radians unless a name says otherwise (docs/conventions.md).
 
 namespace nacre {
+
+constexpr double square(double x) { return x * x; }
 
 inline constexpr float kPiF = std::numbers::pi_v<float>;   ///< for single precision
 inline constexpr double kDegree = std::numbers::pi / 180;  ///< in radians
@@ -18,9 +21,16 @@ inline constexpr Range kPolarAngleRange{0, 90, "deg", false, true};
 
 /// The same direction in [0, 360).
 inline double wrapped_deg(double degrees) {
-    const double rest = std::fmod(degrees, 360);
+    const double remainder = std::fmod(degrees, 360);
     // A tiny negative angle would round to 360.
-    return rest < 0 ? std::fmod(rest + 360, 360) : rest;
+    return remainder < 0 ? std::fmod(remainder + 360, 360) : remainder;
+}
+
+/// The unit vector of a polar angle from z and an azimuth about it from x.
+inline Vec3d polar_direction(double theta_deg, double phi_deg) {
+    const double sine = std::sin(theta_deg * kDegree);
+    return {sine * std::cos(phi_deg * kDegree), sine * std::sin(phi_deg * kDegree),
+            std::cos(theta_deg * kDegree)};
 }
 
 }  // namespace nacre

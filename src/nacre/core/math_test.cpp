@@ -1,4 +1,4 @@
-#include "nacre/core/angles.h"
+#include "nacre/core/math.h"
 
 #include <gtest/gtest.h>
 

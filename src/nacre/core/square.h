@@ -1,7 +1,0 @@
-#pragma once
-
-namespace nacre {
-
-constexpr double square(double x) { return x * x; }
-
-}  // namespace nacre
