@@ -54,6 +54,8 @@ struct Field {
 
 /// More samples than any instrument gives.
 inline constexpr std::size_t kMaxSpectrumSamples = 10'000;
+/// Characters of what people call something, and of a file's path.
+inline constexpr std::size_t kMaxNameLength = 200, kMaxPathLength = 2000;
 
 class Visitor;
 

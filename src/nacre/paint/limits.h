@@ -4,11 +4,14 @@
 
 #include "nacre/core/error.h"
 
-// Bounds that other folders use too; those of every key: paint/recipe_description.cpp.
+// Bounds that other folders use too; those of every key: paint/recipe_description.h.
 
 namespace nacre::paint::limits {
 
 inline constexpr std::size_t kMaxLayers = 64;
+inline constexpr Range kFraction{0, 1};
+/// Of absorption and scattering, and the constants of Kubelka and Munk.
+inline constexpr Range kCoefficient{0, 1e9, "1/mm"};
 inline constexpr Range kWavelength{1, 1e6, "nm"};
 inline constexpr Range kBinderIndex{1, 3};
 inline constexpr Range kFilmThickness{0, 1e5, "nm", true};

@@ -17,7 +17,7 @@
 #include "nacre/spectra/spectrum.h"
 
 // What a paint is made of: a value, independent of any file format (io/recipe_file.h reads it).
-// Units are in the names; paint/recipe_description.cpp says what each key may be.
+// Units are in the names; paint/recipe_description.h says what each key may be.
 
 namespace nacre::paint {
 

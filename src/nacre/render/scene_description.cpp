@@ -8,9 +8,10 @@ namespace nacre::render {
 namespace {
 
 using paint::Field;
+using paint::kMaxNameLength;
+using paint::kMaxPathLength;
 using paint::Visitor;
 
-constexpr std::size_t kMaxNameLength = 200;
 constexpr Range kLength{0, kFar_mm, "mm", true};
 constexpr Range kLengthOrZero{0, kFar_mm, "mm"};
 constexpr Range kCoordinate{-kFar_mm, kFar_mm, "mm"};

@@ -10,7 +10,6 @@
 namespace nacre::render {
 
 inline constexpr std::size_t kMaxShapes = 10'000;
-inline constexpr std::size_t kMaxPathLength = 2'000;
 /// 10 km, beyond which float coordinates are coarser than 1 mm.
 inline constexpr double kFar_mm = 1e7;
 

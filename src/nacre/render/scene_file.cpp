@@ -28,7 +28,7 @@ std::string read_picture(const io::TableReader& table, int& width, int& height,
                          std::vector<float>& rgb) {
     try {
         const std::filesystem::path path =
-            table.document().references().resolve(table.text("path", kMaxPathLength));
+            table.document().references().resolve(table.text("path", paint::kMaxPathLength));
         const io::Image image = io::read_image(path, kMaxPictureValues);
         width = image.width;
         height = image.height;
