@@ -373,3 +373,33 @@ def test_flakes_lie_and_sparkle_as_in_nacre(paints: Path, tmp_path: Path) -> Non
     assert want > 1  # it sparkles
     assert np.sqrt(got / want) == pytest.approx(1, abs=0.03)
     assert np.mean(a @ b.T) / a.shape[1] > 0.98 * np.sqrt(want * got)
+
+
+@pytest.mark.parametrize("kind", ["rectangle", "sphere"])
+def test_flakes_move_with_their_shape(kind: str, paints: Path) -> None:
+    """Camera and lamp go along: the picture stays, but for the rounding of places."""
+    t = mi.ScalarTransform4f()
+    shapes = {
+        "rectangle": {"type": "rectangle", "to_world": t.scale(20)},
+        "sphere": {"type": "sphere", "radius": 50.0, "to_world": t.translate([0, 0, -50])},
+    }
+    red_gold = nacre.Paint(paints / "red-gold.toml")
+    eye, light = Camera((0, 0, 300), (0, 1, 0), 0.3), lamp((0, -212, 566), 84, 20)
+
+    def at(move: Any) -> Array:
+        def moved(part: dict[str, Any]) -> dict[str, Any]:
+            return {**part, "to_world": move @ part["to_world"]}
+
+        shape = Part("", {"shape": moved(shapes[kind])})
+        lamps = Part("", {"lamp": moved(light.mitsuba["lamp"])})
+        sensor = moved(eye.mitsuba(film(), 64))
+        scene = in_mitsuba(red_gold, sensor, shape, lamps, specimen=2)
+        plugin.attach(scene)
+        return spectral(scene, 64)(1).mean(axis=-1)
+
+    here = at(t)
+    assert here.std() > here.mean()  # it sparkles
+    for move in (t.translate([7, 0, 0]), t.translate([3, -9, 20]).rotate([1, 2, 3], 77)):
+        there = at(move)
+        assert np.corrcoef(here.ravel(), there.ravel())[0, 1] > 0.99
+        assert there.std() / there.mean() == pytest.approx(here.std() / here.mean(), rel=0.02)

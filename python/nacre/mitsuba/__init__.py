@@ -99,7 +99,7 @@ def attach(scene: Any, sensor: int | Any = 0, instanced: Iterable[Any] = ()) -> 
         each then needs a BSDF of its own, or `to_rest`.
     """
     from ._plugin import Camera
-    from ._rest import rest_of
+    from ._rest import is_same_rest, rest_of
 
     chosen = scene.sensors()[sensor] if isinstance(sensor, int) else sensor
     places: dict[int, tuple[Any, Any]] = {}
@@ -107,7 +107,7 @@ def attach(scene: Any, sensor: int | Any = 0, instanced: Iterable[Any] = ()) -> 
         rest = rest_of(shape)
         for bsdf in _paints_in(shape.bsdf()):
             known = places.get(id(bsdf))
-            if known is not None and not bsdf.own_rest and known[1] != rest:
+            if known is not None and not bsdf.own_rest and not is_same_rest(known[1], rest):
                 raise SettingError(
                     "one paint lies on several shapes that were moved differently: give each a "
                     "BSDF of its own, or the paint a to_rest"

@@ -282,7 +282,8 @@ def make_plugin() -> Any:
             to_rest = mi.AffineTransform4f(self.to_rest)
             assert camera is not None
             assert self.sparkle is not None
-            q = si.p - mi.Point3f(camera.origin)
+            # Mitsuba's difference of points is a point, which moves with its shape.
+            q = mi.Vector3f(si.p - mi.Point3f(camera.origin))
             depth = dr.dot(q, mi.Vector3f(camera.forward))
             q = q / dr.select(dr.abs(depth) > 1e-20, depth, 1e-20)
             facing = dr.dot(n, q)

@@ -24,3 +24,8 @@ def rest_of(shape: Any) -> Any:
     inverse[:3, :3] = turn.T
     inverse[:3, 3] = -turn.T @ matrix[:3, 3]
     return mi.ScalarTransform4f(inverse)
+
+
+def is_same_rest(a: Any, b: Any) -> bool:
+    """Whether two transformations are equal to rounding; Mitsuba finds none equal, nor unequal."""
+    return np.allclose(np.array(a.matrix), np.array(b.matrix), rtol=0, atol=1e-5)
