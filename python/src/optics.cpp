@@ -46,7 +46,8 @@ nb::tuple film(const Material& ambient, const std::vector<Material>& materials,
     const std::size_t width = wavelengths_nm.size(), films = materials.size();
     if (thickness_nm.size() != films) throw DomainError("a film has no thickness");
     for (std::size_t i = 0; i < places.size(); ++i) {
-        require_in_range(*places.at(0, i), 0, 90, "angle in deg");
+        require_in_range(*places.at(0, i), optics::kIncidenceRange.lo, optics::kIncidenceRange.hi,
+                         "angle in deg");
     }
     // What depends on the wavelength alone, before the loop.
     std::vector<optics::ComplexIndex> above(width), below(width);

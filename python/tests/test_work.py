@@ -105,7 +105,7 @@ def test_colours_of_many_let_others_work(work: str) -> None:
     }
     # A call that keeps Python's lock lets others work at its beginning and at its end, however
     # often it is made; one that does not, all the time, but for a machine that is busy.
-    assert any(steps_beside(calls[work]) > 10 for _ in range(20))
+    assert any(steps_beside(calls[work]) > 50 for _ in range(20))
 
 
 def steps_beside(call: Callable[[], object]) -> int:

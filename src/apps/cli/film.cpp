@@ -18,7 +18,6 @@ namespace {
 using optics::Polarization;
 
 constexpr std::size_t kMaxFilms = 10'000;
-constexpr Range kAngle{0, 90, "deg"};
 
 struct FilmOptions : CommonOptions {
     std::string ambient = "1", substrate = "1";
@@ -57,7 +56,8 @@ std::string film_table(const FilmOptions& options) {
     }
     std::vector<Film> films;
     for (const std::string& text : options.layers) films.push_back(parse_film(text));
-    const std::vector<double> angles = parse_numbers("--angle", options.angles, kAngle);
+    const std::vector<double> angles =
+        parse_numbers("--angle", options.angles, optics::kIncidenceRange);
     const std::vector<double> wavelengths =
         parse_numbers("--wavelength", options.wavelengths, paint::limits::kWavelength);
     if (angles.size() * wavelengths.size() > 10 * kMaxNumbers) {
@@ -104,7 +104,7 @@ Command add_film(CLI::App& program) {
     film->add_option("--substrate", options->substrate, "Medium beyond the films")
         ->capture_default_str();
     film->add_option("--angle", options->angles,
-                     "Angles of incidence in the ambient, deg, in [0, 90]")
+                     "Angles of incidence in the ambient, in " + optics::kIncidenceRange.text())
         ->capture_default_str();
     film->add_option("--wavelength", options->wavelengths, "Vacuum wavelengths, nm")
         ->capture_default_str();

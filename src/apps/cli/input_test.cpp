@@ -323,8 +323,20 @@ TEST_F(Program, MessagesDoNotShowWhatIsInAFileThatIsNoMaterial) {
     EXPECT_THAT(outcome.err, AllOf(HasSubstr("secret.csv:1:"), Not(HasSubstr("hunter2"))));
 }
 
-// Work that would go on for hours, stopped after a second: it ends, and replaces nothing.
-TEST_F(Program, AnInterruptEndsLongWorkAndReplacesNothing) {
+class Interrupted : public Program {
+ protected:
+    /// Runs `nacre ARGUMENTS` and interrupts it half a second after it has begun to catch SIGINT (bit
+    /// 2 of SigCgt), or after a minute if it never does.
+    Outcome interrupted(const std::string& arguments) const {
+        return shell("env --default-signal=INT \"$NACRE\" " + arguments +
+                     " & n=0\nwhile [ $n -lt 6000 ] && "
+                     "! grep -q '^SigCgt:.*[2367abef]$' /proc/$!/status; do\n"
+                     "n=$((n + 1)); sleep 0.01; done\nsleep 0.5; kill -INT $!; wait $!\n");
+    }
+};
+
+// Work that would go on for hours: it ends, and replaces nothing.
+TEST_F(Interrupted, EndsLongWorkAndReplacesNothing) {
     write("lossless.toml", R"(ior = 1.5
 [[layer]]
 thickness_um = 10000
@@ -356,7 +368,7 @@ coats = [{ material = "TiO2_anatase", thickness_nm = 80, spread_nm = 80 }, { mat
               "render sphere --paint lossless.toml --model volume --size 1024x1024 -o old.exr",
               "old.exr"}}) {
         write(file, "old");
-        const Outcome outcome = nacre(command, "timeout --foreground --preserve-status -s INT 0.5");
+        const Outcome outcome = interrupted(command);
         EXPECT_EQ(outcome.status, 3) << command << outcome.err;
         EXPECT_THAT(outcome.err, HasSubstr("stopped")) << command;
         EXPECT_EQ(contents(folder_ / file), "old") << command;

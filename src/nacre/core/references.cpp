@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <mutex>
 #include <system_error>
 
 #include "nacre/core/error.h"
@@ -11,6 +13,13 @@
 namespace nacre {
 
 namespace fs = std::filesystem;
+
+struct References::Contents::Files {
+    std::mutex mutex;
+    std::map<fs::path, std::shared_ptr<const std::string>> bytes;
+};
+
+References::References() : contents_{std::make_shared<Contents::Files>()} {}
 
 References References::anywhere(const fs::path& folder) {
     References references;
@@ -52,6 +61,16 @@ fs::path References::resolve(const fs::path& name) const {
     fs::path path = permitted(name);
     if (check_) (*check_)(path);
     return path;
+}
+
+std::shared_ptr<const std::string> References::read(const fs::path& path,
+                                                    std::size_t max_bytes) const {
+    const std::lock_guard lock(contents_.files->mutex);
+    std::shared_ptr<const std::string>& bytes = contents_.files->bytes[path];
+    if (!bytes || bytes->size() > max_bytes) {
+        bytes = std::make_shared<const std::string>(read_file(path, max_bytes));
+    }
+    return bytes;
 }
 
 fs::path References::permitted(const fs::path& name) const {

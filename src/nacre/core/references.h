@@ -1,9 +1,11 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <string>
 #include <utility>
 
 // A recipe names files of materials, a scene those of meshes, pictures and recipes. Whoever opens a
@@ -15,14 +17,16 @@ namespace nacre {
 class References {
  public:
     /// None.
-    References() = default;
+    References();
     /// Those anywhere(), from this folder; none if it is empty.
     template <class Path>
     requires(std::convertible_to<Path, std::filesystem::path> &&
              !std::same_as<std::remove_cvref_t<Path>, References>)
         References(Path&& folder)  // NOLINT: a folder stands for its files
-        : folder_(std::forward<Path>(folder)),
-          allowed_(folder_.empty() ? Allowed::none : Allowed::anywhere) {}
+        : References() {
+        folder_ = std::forward<Path>(folder);
+        allowed_ = folder_.empty() ? Allowed::none : Allowed::anywhere;
+    }
 
     /// Files anywhere, relative names from this folder; empty: from the current one.
     static References anywhere(const std::filesystem::path& folder);
@@ -48,14 +52,27 @@ class References {
     /// @throws InputError without the name, which the caller knows, if the text may not name it; as the
     ///         function of checked_by()
     std::filesystem::path resolve(const std::filesystem::path& name) const;
+    /// The bytes of a file that resolve() found. Read once for all copies of these references: a text
+    /// that is read again, with other values in it, means the same files as they were.
+    /// @throws InputError as read_file()
+    std::shared_ptr<const std::string> read(const std::filesystem::path& path,
+                                            std::size_t max_bytes) const;
 
     friend bool operator==(const References&, const References&) = default;
 
  private:
     enum class Allowed { none, within_root, anywhere };
 
+    /// What was read; of no account when references are compared.
+    struct Contents {
+        struct Files;
+        std::shared_ptr<Files> files;
+        friend bool operator==(const Contents&, const Contents&) { return true; }
+    };
+
     std::filesystem::path permitted(const std::filesystem::path& name) const;
 
+    Contents contents_;
     std::filesystem::path folder_, root_;
     Allowed allowed_ = Allowed::none;
     bool named_ = false;  // by another text

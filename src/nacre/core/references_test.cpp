@@ -102,5 +102,23 @@ TEST(References, OfTheUsersOwnFileAreAnywhereAndOfAStreamNone) {
     }
 }
 
+TEST_F(ReferencesTest, FilesAreReadOnceForAllCopies) {
+    const fs::path own = folder_ / "scene" / "own.csv";
+    const References references = References::within(folder_ / "scene");
+    const References copy = references.beside(folder_ / "scene" / "parts" / "part.csv");
+    EXPECT_EQ(*references.read(own, 100), "x");
+    folder_.write("scene/own.csv", "other");
+    EXPECT_EQ(*copy.read(own, 100), "x");
+    EXPECT_EQ(*References::within(folder_ / "scene").read(own, 100), "other");
+    EXPECT_EQ(references, References::within(folder_ / "scene"));
+    // What could not be read is tried again.
+    const fs::path late = folder_ / "scene" / "late.csv";
+    EXPECT_THROW(references.read(late, 100), InputError);
+    folder_.write("scene/late.csv", "there");
+    EXPECT_THROW(references.read(late, 4), InputError);
+    EXPECT_EQ(*references.read(late, 5), "there");
+    EXPECT_THROW(references.read(late, 4), InputError);
+}
+
 }  // namespace
 }  // namespace nacre

@@ -83,7 +83,8 @@ toml::table find_keys(const TableReader& table, std::string_view from) {
         table.fail(from, error.what());
     }
     // What it names in turn are materials that ship.
-    return keys_of_named(read_file(path, kMaxTextBytes), path.string(), References().beside(path));
+    return keys_of_named(*table.document().references().read(path, kMaxTextBytes), path.string(),
+                         References().beside(path));
 }
 
 }  // namespace

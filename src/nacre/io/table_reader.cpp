@@ -289,17 +289,18 @@ spectra::Spectrum read_spectrum_file(const TableReader& table, std::string_view 
         table.fail(key, "must be a number in " + range.text() +
                             ", a table of wavelengths_nm and values, or the path of a .csv file");
     }
-    std::string text;
-    std::string file = table.document().references().may_quote() ? name : "the file";
+    const References& references = table.document().references();
+    std::shared_ptr<const std::string> text;
+    const std::string file = references.may_quote() ? name : "the file";
     try {
-        text = read_file(table.document().references().resolve(name), kMaxTextBytes);
+        text = references.read(references.resolve(name), kMaxTextBytes);
     } catch (const InputError& error) {
-        if (table.document().references().may_quote()) table.fail(key, error.what());
+        if (references.may_quote()) table.fail(key, error.what());
         table.fail(key, "names no spectrum that can be read");
     }
     std::vector<CsvRow> rows;
     try {
-        rows = parse_csv(text, file);
+        rows = parse_csv(*text, file);
     } catch (const InputError& error) {
         table.fail(key, error.what());
     }
@@ -315,7 +316,7 @@ spectra::Spectrum read_spectrum_file(const TableReader& table, std::string_view 
         table.fail(key, fmt::format("{} has {} rows; at most {} are allowed", file, rows.size() - 1,
                                     paint::kMaxSpectrumSamples));
     }
-    CsvNumbers numbers(file, csv_separator(first_csv_line(text)));
+    CsvNumbers numbers(file, csv_separator(first_csv_line(*text)));
     const auto number = [&](const CsvCell& cell) {
         try {
             return numbers.parse(cell);

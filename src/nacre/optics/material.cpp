@@ -148,12 +148,15 @@ Material parse_material(std::string_view text, const std::string& name) {
                                      : parse_material_yaml(text, name);
 }
 
-Material read_material_file(const std::filesystem::path& path) {
+Material parse_material_file(std::string_view text, const std::filesystem::path& path) {
     const std::string name = path.string();
-    const std::string text = read_file(path, kMaxMaterialFileBytes);
     if (is_stream(path)) return parse_material(text, name);
     const bool csv = lowercase(path.extension().string()) == ".csv";
     return csv ? parse_material_csv(text, name) : parse_material_yaml(text, name);
+}
+
+Material read_material_file(const std::filesystem::path& path) {
+    return parse_material_file(read_file(path, kMaxMaterialFileBytes), path);
 }
 
 Material find_material(const std::string& text, const References& references) {
@@ -169,7 +172,8 @@ Material find_material(const std::string& text, const References& references) {
         return found->second;
     }
     if (const std::filesystem::path path(wanted); is_material_file(path)) {
-        return read_material_file(material_path(path, references));
+        const std::filesystem::path file = material_path(path, references);
+        return parse_material_file(*references.read(file, kMaxMaterialFileBytes), file);
     }
     throw InputError(fmt::format(
         "material \"{}\" is not an index (as 1.5 or 3.18+3.33i), not the path of a .csv, .yml or "

@@ -34,9 +34,12 @@ Material parse_material_yaml(std::string_view text, const std::string& name);
 /// Either of the two, whose header tells which.
 Material parse_material(std::string_view text, const std::string& name);
 
-/// Reads a .csv, .yml or .yaml file, or a stream (core/file.h) of either kind, whose header tells
-/// which; the material is named after the path.
-/// @throws InputError if it cannot be read, is too large, or is wrong inside
+/// The text of a .csv, .yml or .yaml file, or of a stream (core/file.h) of either kind, whose header
+/// tells which; the material is named after the path.
+/// @throws InputError as the above
+Material parse_material_file(std::string_view text, const std::filesystem::path& path);
+/// The same of the file itself.
+/// @throws InputError also if it cannot be read, or is too large
 Material read_material_file(const std::filesystem::path& path);
 
 /// A file of data/materials, compiled into the library.

@@ -48,6 +48,9 @@ ReflectanceTransmittance stack_reflectance(ComplexIndex ambient, std::span<const
                                            ComplexIndex substrate, double cos_incident,
                                            double wavelength_nm, Polarization polarization);
 
+/// Of the angle whose cosine it takes.
+inline constexpr Range kIncidenceRange{0, 90, "deg"};
+
 /// The law of a film's thickness over a population of flakes.
 struct ThicknessSpread {
     enum class Law { normal, uniform };

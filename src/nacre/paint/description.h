@@ -30,11 +30,10 @@ struct Field {
     const char* key = "";
     Range range = {};  ///< of a number, of each value of a spectrum, of the index of a
                        ///< material; its unit is the key's
-    std::optional<double> typical =
-        {};                    ///< a number or a spectrum that paints have: what it begins
-                               ///< with where somebody adds the key to a paint
-    const char* meaning = "";  ///< for the documentation, Markdown
-    bool required = false;     ///< if not, its default is what a new object has
+    /// Of a number or a spectrum: what it begins with where somebody adds the key, as made paints have.
+    std::optional<double> typical = {};
+    const char* meaning = "";             ///< for the documentation, Markdown
+    bool required = false;                ///< if not, its default is what a new object has
     const char* required_with = nullptr;  ///< required only beside this other key
     const char* zero = nullptr;           ///< of a number: 0 is allowed too and means this
     const char* also = nullptr;       ///< what else must hold, checked by the struct's validate()
@@ -43,12 +42,11 @@ struct Field {
     /// On a data sheet, {} for the value with its unit and {%} for it in percent: "{} across". If
     /// empty, it is deliberately not told there.
     const char* phrase = nullptr;
-    const char* zero_phrase =
-        nullptr;                ///< the same of a 0 and of the first choice; else as `phrase`
-    std::size_t max_size = 0;   ///< characters of a text, entries of a list
-    bool colour = false;        ///< a spectrum that may be stated as [r, g, b]
-    bool real = false;          ///< a material that does not absorb
-    bool in_line = false;       ///< tables: written as { key = value, ... }
+    const char* zero_phrase = nullptr;  ///< the same of a 0 and of the first choice
+    std::size_t max_size = 0;           ///< characters of a text, entries of a list
+    bool colour = false;                ///< a spectrum that may be stated as [r, g, b]
+    bool real = false;                  ///< a material that does not absorb
+    bool in_line = false;               ///< tables: written as { key = value, ... }
     bool omit_default = false;  ///< a number or a choice: 0 and the first choice are not written
 };
 

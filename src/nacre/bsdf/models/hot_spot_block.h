@@ -43,9 +43,10 @@ class HotSpotBlock {
 
     /// Of the light that has just entered the coat from one direction.
     struct Budget {
-        FloatLanes
-            rescattered{};  ///< Phi: is there to be scattered again, by the equation of transfer
-        FloatLanes hot_spot{};  ///< dPhi: of it, what leaves with the hot spot
+        /// Phi: is there to be scattered again, by the equation of transfer.
+        FloatLanes rescattered{};
+        /// dPhi: of it, what leaves with the hot spot.
+        FloatLanes hot_spot{};
     };
     /// A direction that light leaves in which is scattered evenly.
     struct Exit {
