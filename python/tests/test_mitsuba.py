@@ -465,6 +465,26 @@ def test_wrong_settings_are_named(paints: Path, tmp_path: Path) -> None:
         plugin.attach(scene, sensor=None)
 
 
+@pytest.mark.parametrize("kind", ["sphere", "cylinder", "disk"])
+def test_one_paint_lies_still_in_one_place(paints: Path, kind: str) -> None:
+    t = mi.ScalarTransform4f()
+    turned, moved = t.rotate([0, 1, 0], 30), t.translate([3, 0, 0])
+
+    def attach(first: Any, second: Any, **settings: Any) -> None:
+        paint = mi.load_dict({"type": "nacre", "recipe": str(paints / "ruby.toml"), **settings})
+        shapes = {
+            name: {"type": kind, "to_world": to_world, "bsdf": paint}
+            for name, to_world in (("first", first), ("second", second))
+        }
+        plugin.attach(mi.load_dict({"type": "scene", "camera": {"type": "perspective"}, **shapes}))
+
+    for other in (turned, moved):
+        with pytest.raises(nacre.SettingError, match="several shapes that were moved differently"):
+            attach(t, other)
+        attach(t, other, to_rest=t)
+        attach(other, other.scale(2))
+
+
 @pytest.mark.parametrize("variant", ["llvm_ad_mono", "scalar_spectral_polarized"])
 def test_variants_without_paints_are_named(paints: Path, variant: str) -> None:
     mi.set_variant(variant)
