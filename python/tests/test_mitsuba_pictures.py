@@ -395,7 +395,8 @@ def test_flakes_move_with_their_shape(kind: str, paints: Path) -> None:
         sensor = moved(eye.mitsuba(film(), 64))
         scene = in_mitsuba(red_gold, sensor, shape, lamps, specimen=2)
         plugin.attach(scene)
-        return spectral(scene, 64)(1).mean(axis=-1)
+        mean: Array = spectral(scene, 64)(1).mean(axis=-1)
+        return mean
 
     here = at(t)
     assert here.std() > here.mean()  # it sparkles
