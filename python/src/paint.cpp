@@ -139,7 +139,7 @@ NumpyArray<double> brdf_by_directions(const PaintHandle& handle, const Doubles& 
         brdf_of(handle, settings_of(wavelengths_nm, model, part, as_rendered), patch, progress);
     const std::size_t width = brdf->wavelengths_nm().size();
     const bool leans = handle.paint.has_recipe() && handle.paint.recipe().flake_lean().has_value();
-    Unwritten<double> values(places.size() * width);
+    Unwritten<double> values(places.size_with(width));
     for_each(places.size(), [&](std::size_t place) {
         const double *i = places.at(0, place), *o = places.at(1, place);
         require_direction("wi", i);
@@ -165,16 +165,18 @@ NumpyArray<double> brdf_by_angles(const PaintHandle& handle, const Doubles& thet
                                   const nb::object& progress) {
     const Broadcast<3> places({&theta_i_deg, &theta_o_deg, &phi_deg},
                               {"theta_i_deg", "theta_o_deg", "phi_deg"}, 1);
-    for (std::size_t place = 0; place < places.size(); ++place) {
-        require_polar_angle("theta_i_deg", *places.at(0, place));
-        require_polar_angle("theta_o_deg", *places.at(1, place));
-        require_finite_angle("phi_deg", *places.at(2, place));
-    }
+    // Each array by itself: of a million and a million there are 1e12 places.
+    const auto check = [](const Doubles& degrees, const char* name, const auto& require) {
+        for_each(degrees.size(), [&](std::size_t i) { require(name, degrees.data()[i]); });
+    };
+    check(theta_i_deg, "theta_i_deg", require_polar_angle);
+    check(theta_o_deg, "theta_o_deg", require_polar_angle);
+    check(phi_deg, "phi_deg", require_finite_angle);
     if (asks_for_none(wavelengths_nm)) return none_of(places);
     const auto brdf =
         brdf_of(handle, settings_of(wavelengths_nm, model, part, as_rendered), patch, progress);
     const std::size_t width = brdf->wavelengths_nm().size();
-    Unwritten<double> values(places.size() * width);
+    Unwritten<double> values(places.size_with(width));
     for_each(places.size(), [&](std::size_t place) {
         const std::vector<double> f =
             (*brdf)(*places.at(0, place) * kDegree, *places.at(1, place) * kDegree,
