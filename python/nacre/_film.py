@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from html import escape
@@ -74,6 +74,9 @@ class Material:
         """
         return self._material.index(doubles(wavelengths_nm))
 
+    def __reduce__(self) -> tuple[Callable[..., Material], tuple[Any, ...]]:
+        return _from_state, self._material.state()
+
     def __repr__(self) -> str:
         return f"Material({self.name!r})"
 
@@ -87,6 +90,12 @@ class Material:
         return f"<div>{escape(repr(self))}</div>" + _html.spectra(
             nm, rows, ("n", "k"), colours, "n (blue) and k (red)"
         )
+
+
+def _from_state(*state: Any) -> Material:
+    material = Material.__new__(Material)
+    material._material = _nacre.Material.from_state(*state)
+    return material
 
 
 MaterialLike = Material | str | complex | float

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import lru_cache
 from typing import Any
 
@@ -49,9 +50,16 @@ class Model:
     def __hash__(self) -> int:
         return hash((self.name, *self.options.items()))
 
+    def __reduce__(self) -> tuple[Callable[..., Model], tuple[str, dict[str, str]]]:
+        return _with_options, (self.name, self.options)
+
     def __repr__(self) -> str:
         options = "".join(f", {key}={value!r}" for key, value in self.options.items())
         return f"Model({self.name!r}{options})"
+
+
+def _with_options(name: str, options: dict[str, str]) -> Model:
+    return Model(name, **options)
 
 
 ModelLike = Model | str | None

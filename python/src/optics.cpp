@@ -140,6 +140,18 @@ void bind_optics(nb::module_& module) {
                 return Material(name, to_vector(nm), std::move(index));
             },
             "name"_a, "wavelengths_nm"_a, "n"_a, "k"_a)
+        .def("state",
+             [](const Material& m) {
+                 return nb::make_tuple(m.name(), m.source(), m.wavelengths_nm(), m.samples());
+             })
+        .def_static(
+            "from_state",
+            [](const std::string& name, const std::string& source, const std::vector<double>& nm,
+               const std::vector<std::complex<double>>& index) {
+                if (nm.empty()) return Material(name, index.at(0), source);
+                return Material(name, nm, index, source);
+            },
+            "name"_a, "source"_a, "wavelengths_nm"_a, "index"_a)
         .def_prop_ro("name", [](const Material& m) { return m.name(); })
         .def_prop_ro("source", [](const Material& m) { return m.source(); })
         .def_prop_ro(

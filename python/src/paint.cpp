@@ -314,12 +314,13 @@ std::size_t write_solved(const PaintHandle& handle, const std::filesystem::path&
     });
 }
 
-PaintHandle from_bytes(const nb::bytes& bytes, const std::string& name,
-                       const std::optional<std::filesystem::path>& folder) {
+PaintHandle from_bytes(const nb::bytes& bytes, const std::filesystem::path& name,
+                       const std::optional<std::filesystem::path>& folder,
+                       const std::filesystem::path& sample) {
     std::string contents(bytes.c_str(), bytes.size());
     const nb::gil_scoped_release release;
-    return {open_text(std::move(contents), name,
-                      folder ? References::anywhere(*folder) : References())};
+    return {open_text(std::move(contents), name.string(),
+                      folder ? References::anywhere(*folder) : References(), sample.string())};
 }
 
 std::vector<std::string> model_names() {
@@ -377,7 +378,8 @@ void bind_paint(nb::module_& module) {
                 return PaintHandle{nacre::open(find_paint(path.string()))};
             },
             "path"_a, nb::call_guard<nb::gil_scoped_release>())
-        .def_static("from_bytes", &from_bytes, "data"_a, "name"_a, "folder"_a.none())
+        .def_static("from_bytes", &from_bytes, "data"_a, "name"_a, "folder"_a.none(),
+                    "sample"_a = "")
         .def_prop_ro("kind", [](const PaintHandle& p) { return name_of(p.paint.kind()); })
         .def_prop_ro("file", [](const PaintHandle& p) { return path_text(p.paint.file()); })
         .def_prop_ro("name", [](const PaintHandle& p) { return name_text(p.paint.name()); })
@@ -386,6 +388,12 @@ void bind_paint(nb::module_& module) {
              [](const PaintHandle& p) {
                  return io::write_recipe(p.paint.recipe(), p.paint.bounds(), p.paint.deviations(),
                                          p.paint.correlations());
+             })
+        .def("contents",
+             [](const PaintHandle& p) {
+                 const PaintContents contents = p.paint.contents();
+                 return nb::make_tuple(nb::bytes(contents.bytes.data(), contents.bytes.size()),
+                                       path_text(p.paint.file()), path_text(contents.sample));
              })
         .def("parameters", &parameters)
         .def(
