@@ -8,8 +8,9 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from . import _html, _nacre, _toml
+from ._arrays import Path
 from ._errors import DomainError, InputError
-from ._paint_files import PaintFiles, Path
+from ._paint_files import PaintFiles
 from ._paint_light import PaintLight
 from ._values import Parameter
 
@@ -30,7 +31,7 @@ class Paint(PaintLight, PaintFiles):
 
     def __init__(self, path: Path) -> None:
         """From a file of any kind, or a shipped paint by its name (:func:`shipped_paints`)."""
-        self._paint = _nacre.Paint.open(path)
+        self._paint = _nacre.Paint.open(os.fsdecode(path))
 
     @classmethod
     def _of(cls, native: _nacre.Paint) -> Paint:
@@ -50,7 +51,7 @@ class Paint(PaintLight, PaintFiles):
             Where the names of materials in a recipe start; without it, it may name no files.
         """
         return cls._of(
-            _nacre.Paint.from_bytes(data, name, None if folder is None else os.fspath(folder))
+            _nacre.Paint.from_bytes(data, name, None if folder is None else os.fsdecode(folder))
         )
 
     @classmethod

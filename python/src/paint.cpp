@@ -20,6 +20,7 @@
 #include "nacre/io/recipe_file.h"
 #include "nacre/models/models.h"
 #include "nacre/nacre.h"
+#include "nacre/solver/resolution.h"
 #include "paint_handle.h"
 #include "work.h"
 
@@ -205,6 +206,7 @@ nb::dict solve(const PaintHandle& handle, const OptionalDoubles& wavelengths_nm,
     SolveSettings settings;
     if (wavelengths_nm) settings.wavelengths_nm = to_vector(*wavelengths_nm);
     settings.resolution = {exit_nodes, inner_nodes, max_orders, tolerance};
+    solver::check(settings.resolution);  // else they would be said to be of the file
     const auto solved = run(progress, [&](const Progress& callback) {
         return handle.paint.solved(settings, callback);
     });
