@@ -56,6 +56,8 @@ def _refused(name: str, annotation: str, value: Any) -> Exception | None:
         kind = annotation.removeprefix("tuple[").split(",")[0]
         return next(filter(None, (_refused(name, kind, item) for item in value)), None)
     kind = annotation.split(" ")[0]
+    if annotation in ("str", "str | None") and not isinstance(value, (str, type(None))):
+        return TypeError(f"{name} = {value!r}: must be text")
     if kind not in ("int", "float") or (value is None and annotation.endswith("None")):
         return None
     if not isinstance(value, Real):

@@ -138,7 +138,16 @@ Picture from_state(const PictureState& state) {
     std::tie(r.width, r.height) = size;
     std::vector<float>* const channels[] = {&r.rgb,   &r.albedo,  &r.normal,
                                             &r.alpha, &r.sparkle, &r.spectral};
-    for (std::size_t i = 0; i < pixels.size(); ++i) *channels[i] = floats_of(pixels[i]);
+    const std::size_t depths[] = {3, 3, 3, 1, 3, bins.size()};
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        *channels[i] = floats_of(pixels[i]);
+        // Or numpy would read beyond them.
+        const std::size_t whole = count(
+            {static_cast<std::size_t>(r.width), static_cast<std::size_t>(r.height), depths[i]});
+        if (!channels[i]->empty() && channels[i]->size() != whole) {
+            throw InputError("pickle: pixels that do not fit the size of their picture");
+        }
+    }
     r.bin_centres_nm = bins;
     r.samples = samples;
     r.noise = noise;

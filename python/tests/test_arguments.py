@@ -320,6 +320,7 @@ def test_no_numeric_argument_is_left_out(tmp_path: Path) -> None:
 
 def test_types_are_said() -> None:
     p, m = paint(), reading()
+    at = {"theta_i_deg": 0, "theta_o_deg": 0, "phi_deg": 0}
     calls: list[tuple[str, Callable[..., Any], dict[str, Any]]] = [
         (
             "model: must be a Model",
@@ -334,6 +335,8 @@ def test_types_are_said() -> None:
         ("geometry: must be text", p.measure, {"geometry": 3}),
         ("spp = 2.5: must be a whole", nacre.render, {"scene": "sphere", "paint": p, "spp": 2.5}),
         ("spp = 'x': must be a number", nacre.render, {"scene": "sphere", "paint": p, "spp": "x"}),
+        ("name = 3: must be text", nacre.Model, {"name": 3}),
+        ("part = 3: must be text", p.reference, at | {"part": 3}),
         ("tolerance = 'x': must be a number", p.solve, {"tolerance": "x"}),
     ]
     for text, function, arguments in calls:
