@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from typing import Any, TypeAlias
 
@@ -10,6 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 
 Floats: TypeAlias = NDArray[np.float64]
 Floats32: TypeAlias = NDArray[np.float32]
+Path: TypeAlias = str | bytes | os.PathLike[str] | os.PathLike[bytes]
+
+ABOUT_WAVELENGTHS = ("wavelength", 'material "')
+"""What begins the library's messages about them, for :func:`naming`."""
 
 
 def doubles(values: ArrayLike) -> Floats:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from html import escape
@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _html, _nacre
-from ._arrays import Floats, doubles
-from ._errors import DomainError
+from ._arrays import ABOUT_WAVELENGTHS, Floats, doubles
+from ._errors import DomainError, SettingError, naming
 
 WAVELENGTHS_NM: Floats = np.arange(400.0, 701.0, 10.0)
 """The default wavelengths, nm."""
@@ -44,13 +44,27 @@ class Material:
             self._material = _nacre.Material.constant(complex(index))
 
     @classmethod
+    @naming(wavelengths_nm=("*must increase", "*wavelengths and"), n="*: n = ", k="*: k = ")
     def sampled(
         cls, name: str, wavelengths_nm: ArrayLike, n: ArrayLike, k: ArrayLike = 0.0
     ) -> Material:
-        """From samples (W,) between which n and k are linear."""
+        """From samples (W,) between which n and k are linear.
+
+        Raises
+        ------
+        SettingError
+            If wavelengths do not increase, shapes differ, or an index is out of range.
+        """
         nm, n_values = doubles(wavelengths_nm), doubles(n)
+        if n_values.shape != nm.shape:
+            raise SettingError(
+                f"n: has the shape {n_values.shape}, wavelengths_nm {nm.shape}", setting="n"
+            )
+        try:
+            k_values = np.ascontiguousarray(np.broadcast_to(doubles(k), nm.shape))
+        except ValueError as error:
+            raise SettingError(f"k: {error}", setting="k") from error
         material = cls.__new__(cls)
-        k_values = np.ascontiguousarray(np.broadcast_to(doubles(k), nm.shape))
         material._material = _nacre.Material.sampled(name, nm, n_values, k_values)
         return material
 
@@ -64,6 +78,7 @@ class Material:
         """Where the data come from."""
         return str(self._material.source)
 
+    @naming(wavelengths_nm=ABOUT_WAVELENGTHS)
     def index(self, wavelengths_nm: ArrayLike) -> NDArray[np.complex128]:
         """n + ik at vacuum wavelengths in nm, of their shape.
 
@@ -73,6 +88,9 @@ class Material:
             If the data do not reach there.
         """
         return self._material.index(doubles(wavelengths_nm))
+
+    def __reduce__(self) -> tuple[Callable[..., Material], tuple[Any, ...]]:
+        return _from_state, self._material.state()
 
     def __repr__(self) -> str:
         return f"Material({self.name!r})"
@@ -87,6 +105,12 @@ class Material:
         return f"<div>{escape(repr(self))}</div>" + _html.spectra(
             nm, rows, ("n", "k"), colours, "n (blue) and k (red)"
         )
+
+
+def _from_state(*state: Any) -> Material:
+    material = Material.__new__(Material)
+    material._material = _nacre.Material.from_state(*state)
+    return material
 
 
 MaterialLike = Material | str | complex | float
@@ -134,6 +158,7 @@ class Film:
         return chips + _html.spectra(self.wavelengths_nm, rows, labels, colours, "reflectance")
 
 
+@naming(angles_deg="angle in deg", wavelengths_nm=ABOUT_WAVELENGTHS, layers="thickness")
 def film(
     layers: Iterable[tuple[MaterialLike, float]],
     *,
@@ -185,6 +210,7 @@ def film(
     return Film(reflected, transmitted, nm, angles)
 
 
+@naming(wavelengths_nm=ABOUT_WAVELENGTHS)
 def xyz(
     wavelengths_nm: ArrayLike,
     reflectance: ArrayLike,
@@ -205,6 +231,7 @@ def xyz(
     return colours[0]
 
 
+@naming(wavelengths_nm=ABOUT_WAVELENGTHS)
 def lab(
     wavelengths_nm: ArrayLike,
     reflectance: ArrayLike,
@@ -218,11 +245,13 @@ def lab(
     return colours[1]
 
 
+@naming()
 def delta_e_2000(lab1: ArrayLike, lab2: ArrayLike) -> Floats:
     """CIEDE2000 differences (...) of CIELAB colours (..., 3), broadcast together."""
     return _nacre.delta_e_2000(doubles(lab1), doubles(lab2))
 
 
+@naming()
 def srgb(lab: ArrayLike, *, full_light: bool = False) -> Floats:
     """Chips (..., 3) of CIELAB colours: encoded sRGB in [0, 1], the perfect diffuser being white.
 

@@ -8,11 +8,11 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from . import _html, _nacre
-from ._arrays import texts
-from ._errors import SettingError
+from ._arrays import Path, texts
+from ._errors import SettingError, naming
 from ._measurement import Difference, Measurement
 from ._model import ModelLike, settings_of
-from ._paint import Paint
+from ._paint import Paint, as_paint
 from ._progress import Progress, reporter
 
 
@@ -128,12 +128,20 @@ class ConstructionMatch:
     match: Match
 
 
+@naming(
+    free="keys",
+    also="illuminant",
+    weights="weight of",
+    equal_dE="the Delta E that counts as equal",
+    matched_dE="the Delta E that counts as matched",
+    noise_dE="noise in Delta E",
+)
 def fit(
-    standard: Measurement | Paint,
-    start: Paint | None = None,
+    standard: Measurement | Paint | Path,
+    start: Paint | Path | None = None,
     free: str | Sequence[str] | None = None,
     *,
-    library: str | os.PathLike[str] | None = None,
+    library: Path | None = None,
     constructions: int = 4,
     model: ModelLike = None,
     also: str | Sequence[str] | None = None,
@@ -150,9 +158,10 @@ def fit(
     Parameters
     ----------
     standard
-        Measured colours, or a paint, which is measured first, as ``byk-mac`` reads it.
+        Measured colours, or a paint, which is measured first, as ``byk-mac`` reads it; either also
+        by its path.
     start
-        A paint with a recipe, from which the search starts.
+        A paint with a recipe, from which the search starts, or its path or shipped name.
     free
         Numbers to turn, by key or the end of a key, `*` for any text (what cannot be free is
         skipped); None: those of the recipe's table [fit].
@@ -199,7 +208,8 @@ def fit(
         raise SettingError(
             f"constructions = {constructions}: must be at least 1", setting="constructions"
         )
-    if isinstance(standard, Paint):
+    if not isinstance(standard, Measurement):
+        standard = as_paint(standard, "standard", "a Measurement, a Paint")
         standard = standard.measure(model=None if standard.kind.startswith("measured") else model)
     settings = _nacre.FitSettings(
         standard._readings,
@@ -214,11 +224,12 @@ def fit(
     )
     with reporter(progress, "fit") as report:
         if start is not None:
-            one = _nacre.fit(standard._readings, start._paint, texts(free), settings, report)
+            first = as_paint(start, "start")._paint
+            one = _nacre.fit(standard._readings, first, texts(free), settings, report)
             return _match(one)
         assert library is not None
         found = _nacre.fit_from_library(
-            standard._readings, os.fspath(library), constructions, settings, report
+            standard._readings, os.fsdecode(library), constructions, settings, report
         )
     matches = [ConstructionMatch(**{**one, "match": _match(one["match"])}) for one in found]
     return replace(matches[0].match, constructions=matches)

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _html, _nacre
-from ._arrays import Floats, doubles, optional
-from ._errors import SettingError
+from ._arrays import ABOUT_WAVELENGTHS, Floats, Path, doubles, optional
+from ._errors import SettingError, naming
 
 Geometries = str | Sequence[str] | None
 """A set by its name ("byk-mac"), a file of a set (.toml), or names as in "45as15" (lamp and
@@ -28,6 +28,10 @@ def geometry_sets() -> dict[str, str]:
 def geometry_text(geometry: Geometries) -> str:
     if geometry is None:
         return ""
+    if not isinstance(geometry, Sequence):
+        raise TypeError(f"geometry: must be text or a list of it, not {type(geometry).__name__}")
+    if len(geometry) == 0:
+        raise SettingError("geometry: names none", setting="geometry")
     return geometry if isinstance(geometry, str) else ",".join(geometry)
 
 
@@ -92,7 +96,7 @@ class Measurement:
         self._readings = readings
 
     @classmethod
-    def read(cls, path: str | os.PathLike[str]) -> Measurement:
+    def read(cls, path: Path) -> Measurement:
         """A file that an instrument or Nacre wrote, CSV or JSON (docs/measure.md).
 
         Raises
@@ -105,11 +109,12 @@ class Measurement:
         paint = Paint(path)
         if paint.kind != "measured_colours":
             raise SettingError(
-                f"path = {os.fspath(path)}: holds no measured colours", setting="path"
+                f"path = {os.fsdecode(path)}: holds no measured colours", setting="path"
             )
         return paint.measure()
 
     @classmethod
+    @naming(wavelengths_nm=ABOUT_WAVELENGTHS)
     def from_spectra(
         cls,
         geometry: Geometries,
@@ -238,7 +243,7 @@ class Measurement:
         """The same as JSON."""
         return str(self._readings.json())
 
-    def write(self, path: str | os.PathLike[str]) -> None:
+    def write(self, path: Path) -> None:
         """As CSV or JSON, by the extension; whole or not at all.
 
         Raises
@@ -248,13 +253,13 @@ class Measurement:
         Error
             If the file cannot be written.
         """
-        extension = os.path.splitext(os.fspath(path))[1]
+        path = os.fsdecode(path)
+        extension = os.path.splitext(path)[1]
         if extension not in (".csv", ".json"):
-            raise SettingError(
-                f"path = {os.fspath(path)}: must end in .csv or .json", setting="path"
-            )
+            raise SettingError(f"path = {path}: must end in .csv or .json", setting="path")
         _nacre.write_text(path, self.csv() if extension == ".csv" else self.json())
 
+    @naming(weights="weight of")
     def difference(
         self, standard: Measurement, weights: Mapping[str, float] | None = None
     ) -> Difference:
@@ -270,6 +275,8 @@ class Measurement:
         DomainError
             If they have no geometry in common, or lights that neither can be restated under.
         """
+        if not isinstance(standard, Measurement):
+            raise TypeError(f"standard: must be a Measurement, not {type(standard).__name__}")
         return Difference(
             **_nacre.difference(standard._readings, self._readings, dict(weights or {}))
         )

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import os
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from . import _html, _nacre, _toml
+from ._arrays import Path
 from ._errors import DomainError, InputError
-from ._paint_files import PaintFiles, Path
+from ._paint_files import PaintFiles
 from ._paint_light import PaintLight
 from ._values import Parameter
 
@@ -30,7 +31,7 @@ class Paint(PaintLight, PaintFiles):
 
     def __init__(self, path: Path) -> None:
         """From a file of any kind, or a shipped paint by its name (:func:`shipped_paints`)."""
-        self._paint = _nacre.Paint.open(path)
+        self._paint = _nacre.Paint.open(os.fsdecode(path))
 
     @classmethod
     def _of(cls, native: _nacre.Paint) -> Paint:
@@ -50,7 +51,7 @@ class Paint(PaintLight, PaintFiles):
             Where the names of materials in a recipe start; without it, it may name no files.
         """
         return cls._of(
-            _nacre.Paint.from_bytes(data, name, None if folder is None else os.fspath(folder))
+            _nacre.Paint.from_bytes(data, name, None if folder is None else os.fsdecode(folder))
         )
 
     @classmethod
@@ -68,6 +69,13 @@ class Paint(PaintLight, PaintFiles):
         return Paint._of(self._paint)
 
     __copy__ = copy
+
+    def __deepcopy__(self, memo: object) -> Paint:
+        return self.copy()
+
+    def __reduce__(self) -> tuple[Callable[..., Paint], tuple[bytes, str, str]]:
+        # By contents and not by path: in another process, or later, the file may be another.
+        return _from_contents, self._paint.contents()
 
     # What it is
 
@@ -151,6 +159,19 @@ class Paint(PaintLight, PaintFiles):
             rows = [[p.key, p.value, p.unit] for p in self.parameters.values()]
             return _html.table([self.name, "", ""], rows)
         return _html.table([self.name], [[self.kind.replace("_", " ")]])
+
+
+def as_paint(paint: Paint | Path, argument: str, instead: str = "a Paint") -> Paint:
+    """The paint, or the one of that path or shipped name. Raises TypeError naming the argument."""
+    if isinstance(paint, Paint):
+        return paint
+    if isinstance(paint, (str, bytes, os.PathLike)):
+        return Paint(paint)
+    raise TypeError(f"{argument}: must be {instead} or a path, not {type(paint).__name__}")
+
+
+def _from_contents(data: bytes, name: str, sample: str) -> Paint:
+    return Paint._of(_nacre.Paint.from_bytes(data, name, None, sample))
 
 
 def shipped_paints() -> list[str]:

@@ -7,14 +7,12 @@ import os
 from numpy.typing import ArrayLike
 
 from . import _nacre
-from ._arrays import wavelengths
-from ._errors import SettingError
+from ._arrays import ABOUT_WAVELENGTHS, Path, wavelengths
+from ._errors import SettingError, naming
 from ._model import ModelLike, settings_of
 from ._paint_readings import PaintReadings
 from ._progress import Progress, reporter
 from ._values import Export, FittedMaterial, ShaderMaterial, fitted_material, shader_material
-
-Path = str | os.PathLike[str]
 
 
 class PaintFiles(PaintReadings):
@@ -24,6 +22,12 @@ class PaintFiles(PaintReadings):
         """The recipe as a file. Raises InputError if there is none."""
         return str(self._paint.toml())
 
+    @naming(
+        wavelengths_nm=ABOUT_WAVELENGTHS,
+        resolution="resolution",
+        incidences="incident angles",
+        cells="cells along",
+    )
     def write(
         self,
         path: Path,
@@ -60,8 +64,9 @@ class PaintFiles(PaintReadings):
         InputError, DomainError, Error
             If the paint has no such values, or the file cannot be written.
         """
-        extension = os.path.splitext(os.fspath(path))[1]
-        if os.fspath(path).endswith(".three.js"):
+        path = os.fsdecode(path)
+        extension = os.path.splitext(path)[1]
+        if path.endswith(".three.js"):
             if wavelengths_nm is not None:
                 raise SettingError(
                     "wavelengths_nm: a .three.js file has its own sixteen", setting="wavelengths_nm"
@@ -83,13 +88,13 @@ class PaintFiles(PaintReadings):
             if extension == ".binary":
                 return Export(*self._paint.write_merl(path, cells, nm, chosen, report))
             kind = {".gltf": "gltf", ".mtlx": "materialx"}.get(extension)
-            if os.fspath(path).endswith(".blender.py"):
+            if path.endswith(".blender.py"):
                 kind = "cycles"
             if kind is not None:
                 values, seen, _, tested = self._paint.write_material(path, kind, nm, chosen, report)
                 return fitted_material(values, seen, tested)
         raise SettingError(
-            f"path = {os.fspath(path)}: must end in .toml, .h5, .bsdf, .binary, .gltf, "
+            f"path = {path}: must end in .toml, .h5, .bsdf, .binary, .gltf, "
             ".mtlx, .blender.py or .three.js",
             setting="path",
         )

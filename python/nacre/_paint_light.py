@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _nacre
-from ._arrays import Floats, Floats32, doubles, wavelengths
+from ._arrays import ABOUT_WAVELENGTHS, Floats, Floats32, doubles, wavelengths
+from ._errors import SettingError, naming
 from ._model import ModelLike, settings_of
 from ._opened_paint import OpenedPaint
 from ._progress import Progress, reporter
@@ -16,6 +17,7 @@ from ._values import Reference, Sample, Solution
 class PaintLight(OpenedPaint):
     """How a paint scatters light."""
 
+    @naming(wavelengths_nm=ABOUT_WAVELENGTHS)
     def brdf(
         self,
         wi: ArrayLike,
@@ -73,6 +75,7 @@ class PaintLight(OpenedPaint):
         with reporter(progress, "prepare") as report:
             return self._paint.brdf(*arguments, report)
 
+    @naming(wavelengths_nm=ABOUT_WAVELENGTHS)
     def brdf_at(
         self,
         theta_i_deg: ArrayLike,
@@ -88,6 +91,15 @@ class PaintLight(OpenedPaint):
     ) -> Floats:
         """The same by angles in degrees, of any shape (...): polar angles in [0, 90) and
         phi = phi_o - phi_i, 180 being the mirror side. Equals ``nacre eval`` to the last bit.
+
+        Raises
+        ------
+        SettingError
+            If an angle, a wavelength or another argument is out of range.
+        InputError, DomainError
+            As :meth:`brdf`.
+        MemoryError
+            If the product of the arrays has more places than memory.
         """
         with reporter(progress, "prepare") as report:
             return self._paint.brdf_at(
@@ -102,6 +114,7 @@ class PaintLight(OpenedPaint):
                 report,
             )
 
+    @naming(wavelengths_nm=ABOUT_WAVELENGTHS)
     def sample(
         self,
         wi: ArrayLike,
@@ -124,6 +137,16 @@ class PaintLight(OpenedPaint):
             A generator of numpy or its seed.
         u
             Instead, the random numbers (..., 3) in [0, 1); broadcast with wi.
+
+        Raises
+        ------
+        SettingError
+            If a direction has no length, a random number is outside [0, 1), or wavelengths are out
+            of range or not one to eight.
+        InputError, DomainError
+            If the file lacks what the model reads, or shapes do not fit.
+        Stopped
+            If ``progress`` returned False.
         """
         i = doubles(wi)
         if u is None:
@@ -133,6 +156,7 @@ class PaintLight(OpenedPaint):
             look = _nacre.look(self._paint, settings_of(model), _some(wavelengths_nm), report)
         return Sample(*look.sample(i, doubles(u), _some(wavelengths_nm)))
 
+    @naming(wavelengths_nm=ABOUT_WAVELENGTHS)
     def pdf(
         self,
         wi: ArrayLike,
@@ -143,11 +167,18 @@ class PaintLight(OpenedPaint):
         progress: Progress = False,
     ) -> Floats32:
         """Density per solid angle (...) with which :meth:`sample` draws wo, apart from the specular
-        lobe, for the same one to eight wavelengths."""
+        lobe, for the same one to eight wavelengths.
+
+        Raises
+        ------
+        SettingError, InputError, DomainError, Stopped
+            As :meth:`sample`.
+        """
         with reporter(progress, "prepare") as report:
             look = _nacre.look(self._paint, settings_of(model), _some(wavelengths_nm), report)
         return look.pdf(doubles(wi), doubles(wo), _some(wavelengths_nm))
 
+    @naming(wavelengths_nm=ABOUT_WAVELENGTHS)
     def albedo(
         self,
         wi: ArrayLike,
@@ -159,12 +190,20 @@ class PaintLight(OpenedPaint):
         """Directional-hemispherical reflectance (..., W), specular reflection included: a table
         for renderers, within 5e-3. The integral of :meth:`brdf` is exact. Between 400 and 700 nm
         from the solution at :attr:`wavelengths_nm`; beyond, of one for those that are asked for.
+
+        Raises
+        ------
+        SettingError
+            If a direction has no length, or a wavelength is out of range.
+        InputError, DomainError, Stopped
+            As :meth:`sample`.
         """
         nm = _some(self.wavelengths_nm if wavelengths_nm is None else wavelengths_nm)
         with reporter(progress, "prepare") as report:
             look = _nacre.look(self._paint, settings_of(model), nm, report)
         return look.albedo(doubles(wi), nm)
 
+    @naming(wavelengths_nm=ABOUT_WAVELENGTHS)
     def reference(
         self,
         theta_i_deg: ArrayLike,
@@ -223,6 +262,7 @@ class PaintLight(OpenedPaint):
             )
         return Reference(brdf, error, samples)
 
+    @naming(wavelengths_nm=ABOUT_WAVELENGTHS)
     def solve(
         self,
         wavelengths_nm: ArrayLike | None = None,
@@ -244,6 +284,16 @@ class PaintLight(OpenedPaint):
             Azimuthal orders at most; 0: from the recipe.
         tolerance
             Share of the peak below which the Fourier series may end.
+
+        Raises
+        ------
+        SettingError
+            If a number is out of range, or nodes are no multiple of 4.
+        InputError
+            If there is no recipe with layers, its materials do not reach these wavelengths, or a
+            solved paint has others.
+        Stopped
+            If ``progress`` returned False.
         """
         with reporter(progress, "solve") as report:
             return Solution(
@@ -277,4 +327,6 @@ class PaintLight(OpenedPaint):
 
 
 def _some(wavelengths_nm: ArrayLike) -> Floats:
+    if wavelengths_nm is None:
+        raise SettingError("wavelengths_nm = None: must be numbers", setting="wavelengths_nm")
     return np.atleast_1d(doubles(wavelengths_nm))

@@ -7,7 +7,8 @@ from collections.abc import Mapping, Sequence
 from numpy.typing import ArrayLike
 
 from . import _nacre
-from ._arrays import wavelengths
+from ._arrays import ABOUT_WAVELENGTHS, wavelengths
+from ._errors import naming
 from ._measurement import Geometries, Measurement, geometry_text
 from ._model import ModelLike, settings_of
 from ._opened_paint import OpenedPaint
@@ -19,6 +20,11 @@ from ._uncertainty import UncertainNumber, Uncertainty
 class PaintReadings(OpenedPaint):
     """What instruments read of a paint."""
 
+    @naming(
+        wavelengths_nm=(*ABOUT_WAVELENGTHS, "a colour needs"),
+        aperture_deg=("aperture", "half angle of the "),
+        walks="samples",
+    )
     def measure(
         self,
         geometry: Geometries = None,
@@ -69,6 +75,11 @@ class PaintReadings(OpenedPaint):
                 )
             )
 
+    @naming(
+        wavelengths_nm=ABOUT_WAVELENGTHS,
+        correlations="correlation",
+        deviations=("uncertainty", "*standard deviation"),
+    )
     def uncertainty(
         self,
         deviations: Mapping[str, float | str] | None = None,
@@ -122,6 +133,16 @@ class PaintReadings(OpenedPaint):
         found["numbers"] = [UncertainNumber(*number) for number in found["numbers"]]
         return Uncertainty(**found)
 
+    @naming(
+        lamps_deg=("angle of a lamp", "number of lamps"),
+        lamp_half_angle_deg="half-angle of the lamps",
+        field_mm=("field of the camera", "pixels in all pictures", "taking and reading"),
+        pixel_um="pixel in um",
+        diffuse_samples="directions of diffuse light",
+        panel_mm="side of the panel",
+        distance_mm="viewing distance",
+        illuminance_lx="illuminance",
+    )
     def sparkle(
         self,
         *,
@@ -155,6 +176,15 @@ class PaintReadings(OpenedPaint):
             ``special-effect``: side of the panel over which the facets lie.
         distance_mm, illuminance_lx
             How the panel is looked at.
+
+        Raises
+        ------
+        SettingError
+            If a number is out of range, or the model shows no single flakes.
+        InputError, DomainError
+            If the file lacks what the model reads.
+        Stopped
+            If ``progress`` returned False.
         """
         with reporter(progress, "sparkle") as report:
             return sparkle_of(

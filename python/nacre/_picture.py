@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Iterable, Mapping
+import warnings
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,13 +13,11 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _nacre
-from ._arrays import Floats, Floats32
-from ._errors import SettingError
+from ._arrays import Floats, Floats32, Path
+from ._errors import SettingError, naming
 from ._model import ModelLike, choice_of
-from ._paint import Paint
+from ._paint import Paint, as_paint
 from ._progress import Progress, reporter
-
-Path = str | os.PathLike[str]
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,17 +36,35 @@ class Image:
     def write(self, path: Path, *, exposure_stops: float = 0.0) -> None:
         """As .exr, every channel, or .png, tone-mapped; whole or not at all."""
         _require_stops(exposure_stops)
-        _nacre.write_image(path, _contiguous(self.channels), self.metadata, exposure_stops)
+        if {"R", "G", "B"} <= self.channels.keys():
+            _warn_of_numbers(path, lambda: self.rgb)
+        _nacre.write_image(
+            os.fsdecode(path), _contiguous(self.channels), self.metadata, exposure_stops
+        )
 
     def _repr_png_(self) -> bytes:
         return _png(self.rgb)
 
 
 def _require_stops(exposure_stops: float) -> None:
-    if not math.isfinite(exposure_stops):
+    lo, hi = _nacre.EXPOSURE_RANGE
+    if not math.isfinite(exposure_stops) or not lo <= exposure_stops <= hi:
         raise SettingError(
-            f"exposure_stops = {exposure_stops}: must be finite", setting="exposure_stops"
+            f"exposure_stops = {exposure_stops:g}: must be finite and in [{lo:g}, {hi:g}]",
+            setting="exposure_stops",
         )
+
+
+def _warn_of_numbers(path: Path, rgb: Callable[[], Floats32]) -> None:
+    """A PNG cannot hold what is no number: it shows black."""
+    if os.fsdecode(path).endswith(".png"):
+        missing = np.isnan(rgb()).any(axis=-1).mean()
+        if missing:
+            warnings.warn(
+                f"{os.fsdecode(path)}: {100 * missing:.3g} % of the pixels are not a number, and "
+                "are shown as black",
+                stacklevel=3,
+            )
 
 
 def _contiguous(channels: Mapping[str, ArrayLike]) -> dict[str, Floats32]:
@@ -67,7 +84,7 @@ def read_image(path: Path) -> Image:
     InputError
         If the file is none of these, is damaged, or unfolds to too much.
     """
-    return Image(*_nacre.read_image(path))
+    return Image(*_nacre.read_image(os.fsdecode(path)))
 
 
 class Picture:
@@ -163,7 +180,7 @@ class Picture:
         """As .exr, with every channel, .png, tone-mapped, or, of a shard, .h5 for :func:`merge`;
         whole or not at all."""
         _require_stops(exposure_stops)
-        self._picture.write(path, exposure_stops)
+        self._picture.write(os.fsdecode(path), exposure_stops)
 
     def write_exr_and_png(self, exr: Path, *, exposure_stops: float = 0.0) -> None:
         """As .exr and as .png beside it, as the program does: neither is replaced before both are
@@ -175,7 +192,7 @@ class Picture:
             If there is such a .png that Nacre did not write.
         """
         _require_stops(exposure_stops)
-        self._picture.write_exr_and_png(exr, exposure_stops)
+        self._picture.write_exr_and_png(os.fsdecode(exr), exposure_stops)
 
     def _repr_png_(self) -> bytes:
         return _png(self.rgb)
@@ -188,9 +205,18 @@ def scene_names() -> list[str]:
     return list(_render.scene_names())
 
 
+@naming(
+    paint="slot",
+    model="hot_spot = off",
+    spp="samples per pixel",
+    size=("width in pixels", "height in pixels", "width x height in pixels"),
+    depth="max depth",
+    footprint_pixels="footprint in pixels",
+    spectral_bins=("spectral bins", "width x height x spectral bins"),
+)
 def render(
     scene: Path,
-    paint: Paint | None = None,
+    paint: Paint | Path | None = None,
     *,
     spp: int = 64,
     size: tuple[int, int] = (512, 512),
@@ -214,7 +240,7 @@ def render(
     scene
         A scene file, or one of :func:`scene_names`.
     paint
-        For the scene's materials that name no recipe.
+        For the scene's materials that name no recipe; also by its path or shipped name.
     spp
         Samples per pixel.
     size
@@ -253,12 +279,14 @@ def render(
 
     if resume is not None and shard is None:
         raise SettingError("resume: belongs to shard", setting="resume")
+    if turntable is not None and not math.isfinite(turntable[1]):
+        raise SettingError(f"turntable = {turntable}: must be finite", setting="turntable")
     width, height = size
     with reporter(progress, "render") as report:
         return Picture(
             _render.render(
-                os.fspath(scene),
-                None if paint is None else paint._paint,
+                os.fsdecode(scene),
+                None if paint is None else as_paint(paint, "paint")._paint,
                 choice_of(model),
                 width,
                 height,
@@ -271,15 +299,15 @@ def render(
                 spectral_bins,
                 turntable,
                 shard,
-                None if resume is None else os.fspath(resume),
+                None if resume is None else os.fsdecode(resume),
                 report,
             )
         )
 
 
-def merge(shards: Iterable[Path]) -> Picture:
-    """The picture of all its shards, given by their files in any order: bit for bit the one of a
-    single process. Its ``seconds`` are those of all together.
+def merge(shards: Path | Iterable[Path]) -> Picture:
+    """The picture of all its shards, given by their files in any order, or by the file of its only
+    one: bit for bit the one of a single process. Its ``seconds`` are those of all together.
 
     Raises
     ------
@@ -288,4 +316,5 @@ def merge(shards: Iterable[Path]) -> Picture:
     """
     from . import _render
 
-    return Picture(_render.merge([os.fspath(shard) for shard in shards]))
+    files = [shards] if isinstance(shards, (str, bytes, os.PathLike)) else shards
+    return Picture(_render.merge([os.fsdecode(shard) for shard in files]))

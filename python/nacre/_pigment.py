@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _html, _nacre
+from ._errors import naming
 from ._film import MaterialLike, _native
 from ._progress import Progress, reporter
 
@@ -66,6 +67,7 @@ class Pigment:
         _nacre.write_text(os.fspath(path), self.toml)
 
 
+@naming()
 def pigment(
     drawdown: str | os.PathLike[str],
     *,

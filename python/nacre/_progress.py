@@ -10,7 +10,8 @@ from typing import Any
 Progress = bool | Callable[[float], object]
 """False: silent. True: a bar, by tqdm where it is installed. A function is called several times a
 second with the fraction done, in [0, 1], from the calling thread; where it returns False (or
-NumPy's) the work is asked to stop, and raises Stopped unless it has something to hand over."""
+NumPy's) the work stops the next time that it asks whether to go on, and raises Stopped unless it
+has something to hand over; work that ends before that is returned."""
 
 
 class _Line:

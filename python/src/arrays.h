@@ -2,12 +2,13 @@
 
 #include <nanobind/ndarray.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <new>
-#include <numeric>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -77,8 +78,17 @@ inline std::vector<double> to_vector(const Doubles& array) {
     return {array.data(), array.data() + array.size()};
 }
 
+/// The number of values of that shape.
+/// @throws std::bad_alloc (Python's MemoryError) if no memory holds so many
 inline std::size_t count(const Shape& shape) {
-    return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
+    if (std::ranges::find(shape, 0u) != shape.end()) return 0;
+    constexpr std::size_t kMost = PTRDIFF_MAX / sizeof(double);
+    std::size_t values = 1;
+    for (const std::size_t side : shape) {
+        if (side > kMost / values) throw std::bad_alloc();
+        values *= side;
+    }
+    return values;
 }
 
 inline std::string text_of(const Shape& shape) {
@@ -95,7 +105,7 @@ template <std::size_t N>
 class Broadcast {
  public:
     /// @param name  of the arrays, for messages
-    /// @throws DomainError if the shapes do not fit
+    /// @throws DomainError if the shapes do not fit; std::bad_alloc as count()
     Broadcast(const std::array<const Doubles*, N>& arrays, const std::array<const char*, N>& names,
               std::size_t inner)
         : inner_(inner) {
@@ -130,6 +140,7 @@ class Broadcast {
                 side = leading[a][i];
             }
         }
+        size_ = count(shape_);
         for (std::size_t a = 0; a < N; ++a) {
             const std::size_t missing = axes_ - leading[a].size();
             strides_[a].assign(axes_, 0);
@@ -142,7 +153,9 @@ class Broadcast {
     }
 
     const Shape& shape() const { return shape_; }
-    std::size_t size() const { return count(shape_); }
+    std::size_t size() const { return size_; }
+    /// With `last` values at each place. @throws std::bad_alloc as count()
+    std::size_t size_with(std::size_t last) const { return count(shape_with(last)); }
     /// The leading axes and one more.
     Shape shape_with(std::size_t last) const {
         Shape shape = shape_;
@@ -160,7 +173,7 @@ class Broadcast {
     }
 
  private:
-    std::size_t inner_, axes_ = 0;
+    std::size_t inner_, axes_ = 0, size_ = 0;
     Shape shape_;
     std::array<const double*, N> data_;
     std::array<Shape, N> strides_;

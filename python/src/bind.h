@@ -29,6 +29,10 @@ inline nb::object name_text(const std::string& name) {
         PyUnicode_DecodeUTF8(name.data(), static_cast<Py_ssize_t>(name.size()), "surrogateescape"));
 }
 
+/// For pickling: what is between the two is nobody's business, and each class's own.
+inline const nb::sig kGetStateSignature("def __getstate__(self) -> object");
+inline const nb::sig kSetStateSignature("def __setstate__(self, state: object, /) -> None");
+
 void bind_paint(nb::module_& module);
 void bind_look(nb::module_& module);
 void bind_appearance_arrays(nb::module_& module);

@@ -6,6 +6,7 @@
 #include "arrays.h"
 #include "bind.h"
 #include "image_arrays.h"
+#include "nacre/io/exposure_range.h"
 #include "nacre/io/image.h"
 #include "nacre/nacre.h"
 
@@ -59,6 +60,7 @@ nb::bytes encode_png(const std::map<std::string, Floats>& channels, double expos
 }  // namespace
 
 void bind_images(nb::module_& module) {
+    module.attr("EXPOSURE_RANGE") = nb::make_tuple(io::kExposureRange.lo, io::kExposureRange.hi);
     module.def("read_image", &read_image, "path"_a);
     module.def("write_image", &write_image, "path"_a, "channels"_a, "metadata"_a,
                "exposure_stops"_a);

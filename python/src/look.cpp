@@ -68,7 +68,7 @@ nb::tuple sample(const Look& look, const Doubles& wi, const Doubles& u, const Do
     const Broadcast<2> places({&wi, &u}, {"wi", "u"}, 3);
     const auto bound = bind_together(look, nm);
     const std::size_t n = places.size(), width = nm.size();
-    std::vector<float> wo(3 * n), weight(n * width), pdf(n);
+    std::vector<float> wo(places.size_with(3)), weight(places.size_with(width)), pdf(n);
     std::vector<signed char> kind(n, -1);
     for_each(n, [&](std::size_t place) {
         const Vec3f in = direction("wi", places.at(0, place));
@@ -117,7 +117,7 @@ NumpyArray<float> albedo(const Look& look, const Doubles& wi, const Doubles& nm)
         blocks.push_back(
             bind(look, nm.data() + first, std::min<std::size_t>(kLanes, width - first)));
     }
-    std::vector<float> values(places.size() * width);
+    std::vector<float> values(places.size_with(width));
     for_each(places.size(), [&](std::size_t place) {
         const Vec3f in = direction("wi", places.at(0, place));
         for (std::size_t b = 0; b < blocks.size(); ++b) {

@@ -1,12 +1,16 @@
+#include <nanobind/stl/array.h>
 #include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <array>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "arrays.h"
 #include "bind.h"
@@ -111,6 +115,53 @@ Readings from_spectra(const std::string& name, const std::string& geometry,
         const double* row = reflectance_factor.data() + g * nm.size();
         readings.measurement.readings.push_back(
             measure::coloured(set[g], nm, {row, row + nm.size()}, readings.measurement.conditions));
+    }
+    return readings;
+}
+
+using GeometryState = std::tuple<std::string, double, double, double, double>;
+using ReadingState =
+    std::tuple<GeometryState, std::vector<double>, std::array<double, 3>, std::array<double, 3>>;
+using ReadingsState = std::tuple<nb::bytes, int, int, double, double, std::vector<double>,
+                                 std::vector<ReadingState>, std::vector<std::vector<double>>>;
+
+/// For pickling: every number, bit for bit.
+ReadingsState state_of(const Readings& readings) {
+    const measure::Measurement& m = readings.measurement;
+    std::vector<ReadingState> all;
+    for (const Reading& r : m.readings) {
+        const Geometry& g = r.geometry;
+        all.emplace_back(
+            GeometryState(g.name, g.theta_i_deg, g.aspecular_deg, g.theta_o_deg, g.phi_deg),
+            r.reflectance_factor, std::array{r.xyz[0], r.xyz[1], r.xyz[2]},
+            std::array{r.lab[0], r.lab[1], r.lab[2]});
+    }
+    return {nb::bytes(m.name.data(), m.name.size()),
+            static_cast<int>(m.conditions.illuminant),
+            static_cast<int>(m.conditions.observer),
+            m.conditions.aperture.lamp_half_angle_deg,
+            m.conditions.aperture.detector_half_angle_deg,
+            m.wavelengths_nm,
+            all,
+            readings.standard_error};
+}
+
+Readings from_state(const ReadingsState& state) {
+    const auto& [name, illuminant, observer, lamp, detector, nm, all, standard_error] = state;
+    Readings readings;
+    readings.measurement = {std::string(name.c_str(), name.size()),
+                            {static_cast<spectra::Illuminant>(illuminant),
+                             static_cast<spectra::Observer>(observer),
+                             {lamp, detector}},
+                            nm,
+                            {}};
+    readings.standard_error = standard_error;
+    for (const auto& [geometry, factor, xyz, lab] : all) {
+        const auto& [text, theta_i, aspecular, theta_o, phi] = geometry;
+        readings.measurement.readings.push_back({{text, theta_i, aspecular, theta_o, phi},
+                                                 factor,
+                                                 {xyz[0], xyz[1], xyz[2]},
+                                                 {lab[0], lab[1], lab[2]}});
     }
     return readings;
 }
@@ -284,6 +335,13 @@ void bind_measurement(nb::module_& module) {
         .def_prop_ro("flop_index",
                      [](const Readings& r) { return measure::flop_index(r.measurement); })
         .def_prop_ro("colour_travel", &travel)
+        .def("__getstate__", &state_of, kGetStateSignature)
+        .def(
+            "__setstate__",
+            [](Readings& readings, const ReadingsState& state) {
+                new (&readings) Readings(from_state(state));
+            },
+            kSetStateSignature)
         .def("csv", &Readings::csv)
         .def("json", &json);
     module.def(

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/string.h>
 
@@ -5,6 +6,7 @@
 
 #include "bind.h"
 #include "nacre/core/parallel.h"
+#include "nacre/core/thread_range.h"
 #include "nacre/core/version.h"
 
 // The extension nacre._nacre: all but ray tracing.
@@ -28,6 +30,10 @@ NB_MODULE(_nacre, module) {
     module.def(
         "set_threads",
         [](int threads) {
+            if (threads > nacre::kThreadRange.hi) {
+                throw nacre::DomainError(fmt::format("threads = {}: must be in {}", threads,
+                                                     nacre::kThreadRange.text()));
+            }
             static std::unique_ptr<ThreadLimit> limit;
             auto next = std::make_unique<ThreadLimit>(0);  // the smallest of nested limits counts
             if (threads < 0) next = std::make_unique<ThreadLimit>(threads);  // throws

@@ -60,7 +60,7 @@ nb::tuple film(const Material& ambient, const std::vector<Material>& materials,
             stacks[w * films + i] = {materials[i].index(nm), thickness_nm[i]};
         }
     });
-    std::vector<double> r(places.size() * width), t(r.size());
+    std::vector<double> r(places.size_with(width)), t(r.size());
     for_each(places.size(), [&](std::size_t place) {
         const double cosine = std::cos(*places.at(0, place) * std::numbers::pi / 180);
         for (std::size_t w = 0; w < width; ++w) {
@@ -81,7 +81,7 @@ Vec3d triple(const double* v) { return {v[0], v[1], v[2]}; }
 template <class F>
 NumpyArray<double> map_triples(const Doubles& in, const char* name, const F& f) {
     const Broadcast<1> places({&in}, {name}, 3);
-    std::vector<double> out(3 * places.size());
+    std::vector<double> out(places.size_with(3));
     for_each(places.size(), [&](std::size_t i) {
         const Vec3d value = f(triple(places.at(0, i)));
         for (int c = 0; c < 3; ++c) out[3 * i + static_cast<std::size_t>(c)] = value[c];
@@ -96,7 +96,7 @@ nb::tuple colours(const Doubles& wavelengths_nm, const Doubles& reflectance,
     if (nm.size() < 2) throw DomainError("wavelengths_nm: at least two are needed");
     const Broadcast<1> places({&reflectance}, {"reflectance"}, nm.size());
     const measure::Conditions conditions{illuminant(illuminant_name), observer(observer_name), {}};
-    std::vector<double> xyz(3 * places.size()), lab(xyz.size());
+    std::vector<double> xyz(places.size_with(3)), lab(xyz.size());
     for_each(places.size(), [&](std::size_t i) {
         const double* r = places.at(0, i);
         const measure::Reading reading = measure::coloured({}, nm, {r, r + nm.size()}, conditions);
@@ -140,6 +140,18 @@ void bind_optics(nb::module_& module) {
                 return Material(name, to_vector(nm), std::move(index));
             },
             "name"_a, "wavelengths_nm"_a, "n"_a, "k"_a)
+        .def("state",
+             [](const Material& m) {
+                 return nb::make_tuple(m.name(), m.source(), m.wavelengths_nm(), m.samples());
+             })
+        .def_static(
+            "from_state",
+            [](const std::string& name, const std::string& source, const std::vector<double>& nm,
+               const std::vector<std::complex<double>>& index) {
+                if (nm.empty()) return Material(name, index.at(0), source);
+                return Material(name, nm, index, source);
+            },
+            "name"_a, "source"_a, "wavelengths_nm"_a, "index"_a)
         .def_prop_ro("name", [](const Material& m) { return m.name(); })
         .def_prop_ro("source", [](const Material& m) { return m.source(); })
         .def_prop_ro(

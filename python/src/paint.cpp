@@ -20,6 +20,7 @@
 #include "nacre/io/recipe_file.h"
 #include "nacre/models/models.h"
 #include "nacre/nacre.h"
+#include "nacre/solver/resolution.h"
 #include "paint_handle.h"
 #include "work.h"
 
@@ -139,7 +140,7 @@ NumpyArray<double> brdf_by_directions(const PaintHandle& handle, const Doubles& 
         brdf_of(handle, settings_of(wavelengths_nm, model, part, as_rendered), patch, progress);
     const std::size_t width = brdf->wavelengths_nm().size();
     const bool leans = handle.paint.has_recipe() && handle.paint.recipe().flake_lean().has_value();
-    Unwritten<double> values(places.size() * width);
+    Unwritten<double> values(places.size_with(width));
     for_each(places.size(), [&](std::size_t place) {
         const double *i = places.at(0, place), *o = places.at(1, place);
         require_direction("wi", i);
@@ -165,16 +166,18 @@ NumpyArray<double> brdf_by_angles(const PaintHandle& handle, const Doubles& thet
                                   const nb::object& progress) {
     const Broadcast<3> places({&theta_i_deg, &theta_o_deg, &phi_deg},
                               {"theta_i_deg", "theta_o_deg", "phi_deg"}, 1);
-    for (std::size_t place = 0; place < places.size(); ++place) {
-        require_polar_angle("theta_i_deg", *places.at(0, place));
-        require_polar_angle("theta_o_deg", *places.at(1, place));
-        require_finite_angle("phi_deg", *places.at(2, place));
-    }
+    // Each array by itself: of a million and a million there are 1e12 places.
+    const auto check = [](const Doubles& degrees, const char* name, const auto& require) {
+        for_each(degrees.size(), [&](std::size_t i) { require(name, degrees.data()[i]); });
+    };
+    check(theta_i_deg, "theta_i_deg", require_polar_angle);
+    check(theta_o_deg, "theta_o_deg", require_polar_angle);
+    check(phi_deg, "phi_deg", require_finite_angle);
     if (asks_for_none(wavelengths_nm)) return none_of(places);
     const auto brdf =
         brdf_of(handle, settings_of(wavelengths_nm, model, part, as_rendered), patch, progress);
     const std::size_t width = brdf->wavelengths_nm().size();
-    Unwritten<double> values(places.size() * width);
+    Unwritten<double> values(places.size_with(width));
     for_each(places.size(), [&](std::size_t place) {
         const std::vector<double> f =
             (*brdf)(*places.at(0, place) * kDegree, *places.at(1, place) * kDegree,
@@ -203,6 +206,7 @@ nb::dict solve(const PaintHandle& handle, const OptionalDoubles& wavelengths_nm,
     SolveSettings settings;
     if (wavelengths_nm) settings.wavelengths_nm = to_vector(*wavelengths_nm);
     settings.resolution = {exit_nodes, inner_nodes, max_orders, tolerance};
+    solver::check(settings.resolution);  // else they would be said to be of the file
     const auto solved = run(progress, [&](const Progress& callback) {
         return handle.paint.solved(settings, callback);
     });
@@ -312,12 +316,13 @@ std::size_t write_solved(const PaintHandle& handle, const std::filesystem::path&
     });
 }
 
-PaintHandle from_bytes(const nb::bytes& bytes, const std::string& name,
-                       const std::optional<std::filesystem::path>& folder) {
+PaintHandle from_bytes(const nb::bytes& bytes, const std::filesystem::path& name,
+                       const std::optional<std::filesystem::path>& folder,
+                       const std::filesystem::path& sample) {
     std::string contents(bytes.c_str(), bytes.size());
     const nb::gil_scoped_release release;
-    return {open_text(std::move(contents), name,
-                      folder ? References::anywhere(*folder) : References())};
+    return {open_text(std::move(contents), name.string(),
+                      folder ? References::anywhere(*folder) : References(), sample.string())};
 }
 
 std::vector<std::string> model_names() {
@@ -375,7 +380,8 @@ void bind_paint(nb::module_& module) {
                 return PaintHandle{nacre::open(find_paint(path.string()))};
             },
             "path"_a, nb::call_guard<nb::gil_scoped_release>())
-        .def_static("from_bytes", &from_bytes, "data"_a, "name"_a, "folder"_a.none())
+        .def_static("from_bytes", &from_bytes, "data"_a, "name"_a, "folder"_a.none(),
+                    "sample"_a = "")
         .def_prop_ro("kind", [](const PaintHandle& p) { return name_of(p.paint.kind()); })
         .def_prop_ro("file", [](const PaintHandle& p) { return path_text(p.paint.file()); })
         .def_prop_ro("name", [](const PaintHandle& p) { return name_text(p.paint.name()); })
@@ -384,6 +390,12 @@ void bind_paint(nb::module_& module) {
              [](const PaintHandle& p) {
                  return io::write_recipe(p.paint.recipe(), p.paint.bounds(), p.paint.deviations(),
                                          p.paint.correlations());
+             })
+        .def("contents",
+             [](const PaintHandle& p) {
+                 const PaintContents contents = p.paint.contents();
+                 return nb::make_tuple(nb::bytes(contents.bytes.data(), contents.bytes.size()),
+                                       path_text(p.paint.file()), path_text(contents.sample));
              })
         .def("parameters", &parameters)
         .def(

@@ -1,18 +1,25 @@
 #include "nacre/render.h"
 
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/array.h>
 #include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
+
+#include <array>
+#include <cstring>
+#include <tuple>
 
 #include "arrays.h"
 #include "bind.h"
 #include "image_arrays.h"
 #include "nacre/models/traced/traced_models.h"
 #include "nacre/render/builtin_scenes.h"
+#include "nacre/render/shard_file.h"
 #include "nacre/render/turntable.h"
 #include "paint_handle.h"
 #include "work.h"
@@ -95,6 +102,62 @@ struct ShardPicture : Picture {
     }
 };
 
+nb::bytes bytes_of(const std::vector<float>& values) {
+    return nb::bytes(values.data(), values.size() * sizeof(float));
+}
+
+std::vector<float> floats_of(const nb::bytes& bytes) {
+    std::vector<float> values(bytes.size() / sizeof(float));
+    std::memcpy(values.data(), bytes.data(), values.size() * sizeof(float));
+    return values;
+}
+
+using PictureState =
+    std::tuple<std::pair<int, int>, std::array<nb::bytes, 6>, std::vector<double>, int,
+               std::optional<double>, long, double, bool, std::map<std::string, std::string>>;
+
+/// For pickling: every number, bit for bit.
+PictureState state_of(const Picture& p) {
+    const render::RenderResult& r = p.result;
+    return {{r.width, r.height},
+            {bytes_of(r.rgb), bytes_of(r.albedo), bytes_of(r.normal), bytes_of(r.alpha),
+             bytes_of(r.sparkle), bytes_of(r.spectral)},
+            r.bin_centres_nm,
+            r.samples,
+            r.noise,
+            r.invalid_paths,
+            r.seconds,
+            r.complete,
+            p.metadata};
+}
+
+Picture from_state(const PictureState& state) {
+    const auto& [size, pixels, bins, samples, noise, invalid, seconds, complete, metadata] = state;
+    Picture p;
+    render::RenderResult& r = p.result;
+    std::tie(r.width, r.height) = size;
+    std::vector<float>* const channels[] = {&r.rgb,   &r.albedo,  &r.normal,
+                                            &r.alpha, &r.sparkle, &r.spectral};
+    const std::size_t depths[] = {3, 3, 3, 1, 3, bins.size()};
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        *channels[i] = floats_of(pixels[i]);
+        // Or numpy would read beyond them.
+        const std::size_t whole = count(
+            {static_cast<std::size_t>(r.width), static_cast<std::size_t>(r.height), depths[i]});
+        if (!channels[i]->empty() && channels[i]->size() != whole) {
+            throw InputError("pickle: pixels that do not fit the size of their picture");
+        }
+    }
+    r.bin_centres_nm = bins;
+    r.samples = samples;
+    r.noise = noise;
+    r.invalid_paths = invalid;
+    r.seconds = seconds;
+    r.complete = complete;
+    p.metadata = metadata;
+    return p;
+}
+
 void write_shard_picture(const ShardPicture& picture, const std::filesystem::path& path,
                          double exposure_stops) {
     if (path.extension() == ".h5") return write_shard(path, picture.shard);
@@ -166,6 +229,11 @@ NB_MODULE(_render, module) {
         .def_prop_ro("seconds", [](const Picture& p) { return p.result.seconds; })
         .def_prop_ro("shard",
                      [](const Picture&) -> std::optional<std::pair<int, int>> { return {}; })
+        .def("__getstate__", &state_of, kGetStateSignature)
+        .def(
+            "__setstate__",
+            [](Picture& p, const PictureState& state) { new (&p) Picture(from_state(state)); },
+            kSetStateSignature)
         .def("image", &image)
         .def(
             "write",
@@ -184,6 +252,20 @@ NB_MODULE(_render, module) {
                      [](const ShardPicture& p) {
                          return std::pair(p.shard.shard.number, p.shard.shard.count);
                      })
+        .def(
+            "__getstate__",
+            [](const ShardPicture& p) {
+                const std::string bytes = nacre::render::shard_bytes(p.shard);
+                return nanobind::bytes(bytes.data(), bytes.size());
+            },
+            kGetStateSignature)
+        .def(
+            "__setstate__",
+            [](ShardPicture& p, const nanobind::bytes& bytes) {
+                new (&p) ShardPicture(
+                    nacre::render::parse_shard({bytes.c_str(), bytes.size()}, "pickle"));
+            },
+            kSetStateSignature)
         .def("write", &write_shard_picture, "path"_a, "exposure_stops"_a,
              nanobind::call_guard<nanobind::gil_scoped_release>());
     module.def(

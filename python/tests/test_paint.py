@@ -262,7 +262,7 @@ def test_solutions(pearl: nacre.Paint) -> None:
     assert any("nodes miss" in text for text in pearl.warnings) == (
         solution.unresolved_scattering > 0.02
     )
-    with pytest.raises(nacre.InputError, match="exit_nodes = 7 is not a multiple of 4"):
+    with pytest.raises(nacre.SettingError, match=r"^exit_nodes = 7 is not a multiple of 4"):
         pearl.solve([550.0], exit_nodes=7)
 
 

@@ -181,3 +181,23 @@ def test_processors_that_would_not_do() -> None:
     assert missing("x86-64-v3", f"flags : {old}\n") == {"avx2", "fma"}
     assert missing("", f"flags : {old}\n") == set()
     assert missing("x86-64-v3", "") == set()
+
+
+def test_angles_are_checked_by_their_arrays_and_not_by_their_products(flakes: nacre.Paint) -> None:
+    lamps, views = np.zeros((4096, 1)), np.zeros(4096)
+    lamps[-1] = 95  # behind 4095 rows of places that are right
+    seconds = []
+    for _ in range(3):
+        start = time.perf_counter()
+        with pytest.raises(nacre.SettingError, match="theta_i_deg = 95: must be in"):
+            flakes.brdf_at(lamps, views, 0, [550.0])
+        seconds.append(time.perf_counter() - start)
+    assert min(seconds) < 0.1
+
+
+def test_more_places_than_can_be_counted_are_refused_at_once(flakes: nacre.Paint) -> None:
+    many = 1 << 22  # 2^66 places
+    with pytest.raises(MemoryError):
+        flakes.brdf_at(
+            np.zeros((many, 1, 1)), np.zeros((many, 1)), np.zeros(many), [550.0], model="thin-film"
+        )

@@ -297,6 +297,11 @@ struct UncertaintySettings {
 /// tables made of them, nor pictures alone.
 bool has_uncertainty(const Model& model);
 
+/// The bytes of a file, and which sample of its measured colours is meant, as for open_text().
+struct PaintContents {
+    std::string bytes, sample = {};
+};
+
 class Paint;
 /// A paint that is fitted to a standard's colours is seen by the model that saw the standard, or, where
 /// that cannot be (Capabilities::fitted), by the equation of transfer; but if the standard was measured,
@@ -462,6 +467,10 @@ class Paint {
     /// @throws as solved() and Model::make_table(); DomainError if the model makes no table
     std::string export_table(const Model& model, const SolveSettings& solve = {},
                              const Progress& progress = {}) const;
+
+    /// For copies in other processes: files that open_text() opens to an equal paint, whatever has become
+    /// of those that this one is from.
+    PaintContents contents() const;
 
     /// Seeks the composition, starting from this one, whose colours are nearest to a standard's.
     /// @param keys  of the numbers that may change, as fit::free_keys(); empty: those between

@@ -13,6 +13,7 @@
 #include "nacre/core/csv.h"
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
+#include "nacre/core/thread_range.h"
 #include "nacre/core/version.h"
 
 namespace nacre::cli {
@@ -91,7 +92,7 @@ References references_of(const CommonOptions& options, const std::string& input)
 void add_threads(CLI::App& command, CommonOptions& options) {
     command.add_option("--threads", options.threads, "Threads to use; 0 means all")
         ->group(kRunningGroup)
-        ->check(in_range(0, 4096))
+        ->check(in_range(static_cast<int>(kThreadRange.lo), static_cast<int>(kThreadRange.hi)))
         ->capture_default_str();
 }
 

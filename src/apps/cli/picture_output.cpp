@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/cli/files.h"
+#include "nacre/io/exposure_range.h"
 
 namespace nacre::cli {
 
@@ -31,7 +32,7 @@ void add_tone_map(CLI::App& command, ToneMap& tone_map) {
     command
         .add_option("--exposure", tone_map.exposure_stops,
                     "Exposure of the PNG in stops; the EXR is not touched")
-        ->check(in_range(-50.0, 50.0))
+        ->check(in_range(io::kExposureRange.lo, io::kExposureRange.hi))
         ->capture_default_str();
     command
         .add_option_function<std::string>(

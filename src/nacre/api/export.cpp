@@ -227,4 +227,23 @@ std::string Paint::export_table(const Model& model, const SolveSettings& solve,
         [&](const auto& t) { return io::brdf_table_bytes(*t, cancel_only(progress, 1)); }, *table);
 }
 
+PaintContents Paint::contents() const {
+    struct Write {
+        PaintContents operator()(const io::RecipeFile& file) const {
+            return {io::write_recipe(file.recipe, file.bounds, file.deviations, file.correlations)};
+        }
+        PaintContents operator()(const std::shared_ptr<const solver::SolvedPaint>& paint) const {
+            return {io::solved_paint_bytes(*paint)};
+        }
+        PaintContents operator()(const bsdf::BrdfTable& table) const {
+            return {std::visit([](const auto& t) { return io::brdf_table_bytes(*t); }, table)};
+        }
+        PaintContents operator()(const MeasuredBrdf& measured) const { return {measured.bytes}; }
+        PaintContents operator()(const MeasuredColours& colours) const {
+            return {colours.text, colours.sample};
+        }
+    };
+    return std::visit(Write(), state_->contents);
+}
+
 }  // namespace nacre

@@ -66,6 +66,14 @@ TEST(Export, AnExportedBrdfGivesThePaintBack) {
     const MicroflakeModel raw{.table = MicroflakeModel::Table::raw, .table_size = {8, 8}};
     EXPECT_EQ(open_text(paint.export_table(raw, kThree), "x").kind(), Kind::brdf_table);
     EXPECT_THROW(paint.export_table(MicroflakeModel{}, kThree), SettingError);
+    // As another process would open them, whose contents are the same again.
+    for (const std::string& bytes :
+         {paint.contents().bytes, paint.export_solved(kThree), paint.export_table(raw, kThree),
+          paint.export_merl({8, 8, 16}).bytes, paint.measure(geometries("45as15")).csv()}) {
+        const Paint there = open_text(open_text(bytes, "x").contents().bytes, "x");
+        EXPECT_EQ(there.kind(), open_text(bytes, "x").kind());
+        EXPECT_EQ(there.contents().bytes, open_text(bytes, "x").contents().bytes);
+    }
     const Paint brushed(
         open_text(read_file(shipped_file("fuzz/corpus/rgl/anisotropic_rgb.bsdf")), "brushed.bsdf"));
     EXPECT_THAT(message_of<InputError>([&] { brushed.export_rgl(small); }),

@@ -68,14 +68,15 @@ Kind kind_of(io::FileKind kind) {
     }
 }
 
-MeasuredBrdf read_measured_brdf(const io::TypedFile& file) {
+MeasuredBrdf read_measured_brdf(io::TypedFile& file) {
     if (file.kind == io::FileKind::rgl) {
         bsdf::RglTable table = io::parse_rgl(file.bytes, file.name);
         const bool isotropic = table.isotropic();
-        return {std::make_shared<const bsdf::MeasuredRgl>(std::move(table)), isotropic};
+        return {std::make_shared<const bsdf::MeasuredRgl>(std::move(table)), isotropic,
+                std::move(file.bytes)};
     }
-    return {std::make_shared<const bsdf::MeasuredMerl>(io::parse_merl(file.bytes, file.name)),
-            true};
+    auto merl = std::make_shared<const bsdf::MeasuredMerl>(io::parse_merl(file.bytes, file.name));
+    return {std::move(merl), true, std::move(file.bytes)};
 }
 
 /// Refuses what is no paint, saying what it is instead.
@@ -197,8 +198,10 @@ Paint open_typed(io::TypedFile file, const std::string& sample) {
         case Kind::brdf_table:
             return paint(bsdf::shared_brdf_table(io::parse_brdf_table(file.bytes, file.name)),
                          sha256_hex(file.bytes));
-        case Kind::measured_brdf:
-            return paint(read_measured_brdf(file), sha256_hex(file.bytes));
+        case Kind::measured_brdf: {
+            const std::string sha256 = sha256_hex(file.bytes);
+            return paint(read_measured_brdf(file), sha256);
+        }
         case Kind::measured_colours: {
             if (!file.references.may_quote()) {  // as the reader would
                 throw InputError(

@@ -18,6 +18,7 @@ namespace nacre {
 struct MeasuredBrdf {
     std::shared_ptr<const bsdf::Bsdf> surface;
     bool isotropic = true;
+    std::string bytes = {};  ///< of the file, for copies in other processes
 };
 
 /// Measured colours, and their text: an aperture that it does not state may be chosen later.

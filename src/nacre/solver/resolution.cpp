@@ -109,12 +109,15 @@ bool refine(Resolution& resolution, const SolverSettings& settings, double unres
     return refined;
 }
 
-Resolution choose_resolution(const PaintMedium& medium, const SolverSettings& settings) {
+void check(const SolverSettings& settings) {
     check_nodes(settings.exit_nodes, SolverSettings::kMaxNodes, "exit_nodes");
     check_nodes(settings.inner_nodes, SolverSettings::kMaxNodes, "inner_nodes");
     require_in_range(settings.max_orders, 0, SolverSettings::kMaxOrders, "max_orders");
     require_in_range(settings.tolerance, SolverSettings::kToleranceRange, "tolerance");
+}
 
+Resolution choose_resolution(const PaintMedium& medium, const SolverSettings& settings) {
+    check(settings);
     double alpha = 1.0;
     for (const LayerMedium& layer : medium.layers) {
         for (const FlakeMedium& flake : layer.flakes) alpha = std::min(alpha, flake.alpha);

@@ -14,9 +14,13 @@ struct Resolution {
 /// What films add at most to the exit nodes.
 inline constexpr int kMaxFilmNodes = 16;
 
+/// What the settings say, whatever the recipe.
+/// @throws DomainError naming setting, value and range, if one is out of range
+void check(const SolverSettings& settings);
+
 /// Chooses from the narrowest flake roughness, the sharpest pigment and how the colours of films change with
 /// the angle; what `settings` fixes is taken as it is.
-/// @throws DomainError if a setting is out of range
+/// @throws DomainError as check()
 Resolution choose_resolution(const PaintMedium& medium, const SolverSettings& settings);
 
 /// Largest SolverReport::unresolved_scattering that is not refined. No energy is lost (make_block()
