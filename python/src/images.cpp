@@ -6,7 +6,6 @@
 #include "arrays.h"
 #include "bind.h"
 #include "image_arrays.h"
-#include "nacre/io/exposure_range.h"
 #include "nacre/io/image.h"
 #include "nacre/nacre.h"
 

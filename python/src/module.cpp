@@ -6,7 +6,6 @@
 
 #include "bind.h"
 #include "nacre/core/parallel.h"
-#include "nacre/core/thread_range.h"
 #include "nacre/core/version.h"
 
 // The extension nacre._nacre: all but ray tracing.

@@ -13,7 +13,7 @@
 #include "nacre/core/csv.h"
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
-#include "nacre/core/thread_range.h"
+#include "nacre/core/parallel.h"
 #include "nacre/core/version.h"
 
 namespace nacre::cli {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/cli/files.h"
-#include "nacre/io/exposure_range.h"
+#include "nacre/io/image.h"
 
 namespace nacre::cli {
 

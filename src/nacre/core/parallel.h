@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <memory>
 
+#include "nacre/core/error.h"
+
 // Loops over indices on all cores, by oneTBB. An exception thrown by a body ends the loop and is
 // rethrown to the caller; a loop inside of a body goes on to its end all the same.
 
@@ -36,6 +38,9 @@ void parallel_for(std::size_t begin, std::size_t end, const Body& body) {
                                      for (std::size_t i = first; i != last; ++i) call(i);
                                  }});
 }
+
+/// Threads that may be asked for, by the command line as by Python; 0: all the machine has.
+inline constexpr Range kThreadRange{0, 4096};
 
 /// While it lives, at most `threads` threads run parallel loops; 0 means all the machine has.
 /// Limits may nest: the smallest counts.

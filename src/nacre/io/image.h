@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "nacre/core/error.h"
 #include "nacre/spectra/rgb.h"
 
 // Pictures of linear light. Pixels are row-major from the top left; R, G, B are linear Rec. 709,
@@ -70,6 +71,9 @@ void write_exr(const std::filesystem::path& path, const Image& image);
 /// The bytes that write_exr() writes; `name` is for messages.
 /// @throws DomainError if channel sizes do not fit the picture
 std::string encode_exr(const Image& image, const std::string& name);
+
+/// Of ToneMap::exposure_stops, where users choose it.
+inline constexpr Range kExposureRange{-50, 50, "stops"};
 
 /// How linear light becomes eight bits.
 struct ToneMap {
