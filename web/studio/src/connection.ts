@@ -59,10 +59,16 @@ export class Connection {
         private readonly store: Store<State>,
         private readonly follower: Follower,
     ) {
-        this.session = new Session(server.connect, (open) => {
-            if (open) void this.connected();
-            else this.disconnected();
-        });
+        this.session = new Session(
+            server.connect,
+            (open) => {
+                if (open) void this.connected();
+                else this.disconnected();
+            },
+            (why) => {
+                this.store.set({ notice: `The server did not read what it was sent: ${why}` });
+            },
+        );
     }
 
     get isOpen(): boolean {

@@ -167,6 +167,20 @@ test("a fault is kept until a recipe can be read again, and the last colours sta
     assert.equal(studio.store.get().fault, null);
 });
 
+test("a paint that the server could not read is said, and the next one is measured", async () => {
+    const server = new FakeServer();
+    const { studio } = await studioWith(server);
+    server.answerOpen(PAINT);
+    server.answer({ type: "error", id: null, about: "message", message: "message: too deep" });
+    assert.match(studio.store.get().notice, /did not read.*too deep/);
+    assert.ok(studio.settled);
+    studio.edit((d) => setValue(d, parsePath(COAT), 30));
+    assert.equal(server.received("paint").length, 2);
+    server.answerPaint();
+    await settle();
+    assert.ok(isCurrent(studio.store.get()));
+});
+
 test("the studio says when the server has gone, and goes on when it is back", async () => {
     const server = new FakeServer();
     const { studio } = await studioWith(server);

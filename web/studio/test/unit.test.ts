@@ -144,6 +144,21 @@ test("a paint goes into an address and comes back", async () => {
     await assert.rejects(fromFragment(list), /no paint/);
 });
 
+test("an address with what no recipe can hold is refused", async () => {
+    const deep = (levels: number) => {
+        let recipe: Table = {};
+        for (let i = 1; i < levels; ++i) recipe = { a: recipe };
+        return recipe;
+    };
+    const fragmentOf = (recipe: unknown) =>
+        toFragment({ recipe: recipe as Table, locks: new Set() });
+    assert.deepEqual((await fromFragment(await fragmentOf(deep(32))))?.recipe, deep(32));
+    const bad = [deep(33), deep(200), null, { layer: null }, { layer: [{ flakes: [null] }] }];
+    for (const recipe of bad) {
+        await assert.rejects(fromFragment(await fragmentOf(recipe)), /no paint/);
+    }
+});
+
 test("an address that would unfold to more than a paint is refused", async () => {
     const bomb = await toFragment({ recipe: { name: "a".repeat(2 << 20) }, locks: new Set() });
     assert.ok(bomb.length < 10_000);
@@ -303,6 +318,32 @@ test("answers reach those who asked, with the bytes behind them", () => {
     assert.deepEqual(got, ["picture", ["rgb"]]);
     server.answer({ type: "picture", id: 12345 });
     assert.equal(got.length, 2);
+    session.close();
+});
+
+test("an error about a message whose id was not read ends what waits, and is said", () => {
+    const server = new FakeServer();
+    const said: string[] = [];
+    const session = new Session(
+        server.connect,
+        () => undefined,
+        (why) => said.push(why),
+    );
+    server.open();
+    const ended: string[] = [];
+    for (const type of ["paint", "fit"]) {
+        const id = session.send(type, {}, (message) => {
+            session.forget(id);
+            ended.push(`${type}: ${String(message.message)}`);
+        });
+    }
+    const forgotten = session.send("render", {}, () => ended.push("render"));
+    session.forget(forgotten);
+    server.answer({ type: "stopped", id: null, jobs: 0 });
+    assert.deepEqual(ended, [], "nobody asked");
+    server.answer({ type: "error", id: null, about: "message", message: "nests too deep" });
+    assert.deepEqual(ended, ["paint: nests too deep", "fit: nests too deep"]);
+    assert.deepEqual(said, ["nests too deep"]);
     session.close();
 });
 
