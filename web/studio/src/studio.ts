@@ -295,7 +295,8 @@ export class Studio {
         const { document, settings } = this.store.get();
         if (!this.session.isOpen || Object.keys(document.recipe).length === 0) return;
         const { recipe } = document;
-        this.viewer.hold("colours", true);
+        // Readings alone leave the picture of the paint as it is, which goes on beside them.
+        if (recipe !== this.viewer.store.get().recipe) this.viewer.hold("colours", true);
         const since = this.around.now();
         const { model } = settings;
         this.painting.want({ recipe, document, settings, model, lamp: this.lamp, since });

@@ -1,6 +1,6 @@
 /** A server of the studio for tests without one: it hears what is sent, and answers when told. */
 
-import type { Schema } from "../src/schema";
+import type { Schema, ShapeInfo } from "../src/schema";
 import type { Socket } from "../src/session";
 import type { Table } from "../src/tree";
 
@@ -216,3 +216,18 @@ export const SCHEMA: Schema = {
     mean_model: "microflake",
     start: null,
 };
+
+const BALL: ShapeInfo = {
+    name: "ball",
+    title: "Ball",
+    light: "studio",
+    transform: { scale: 1, rotation_deg: [0, 0, 0], translation_mm: [0, 0, 0] },
+    camera: {
+        position_mm: [0, -300, 100],
+        target_mm: [0, 0, 0],
+        fov_deg: 20,
+        aspect: 1,
+    },
+};
+/** With a shape to be seen. */
+export const WITH_BALL: Schema = { ...SCHEMA, shapes: [BALL] };

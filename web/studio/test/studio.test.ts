@@ -8,7 +8,7 @@ import { isCurrent } from "../src/state";
 import { Studio } from "../src/studio";
 import type { Table } from "../src/tree";
 import { get, parsePath } from "../src/tree";
-import { COAT, FakeServer, PAINT, SCHEMA } from "./fake_server";
+import { COAT, FakeServer, PAINT, SCHEMA, WITH_BALL } from "./fake_server";
 
 /** Lets promises that are settled be heard. */
 const settle = () => new Promise((resolve) => setTimeout(resolve, 5));
@@ -179,6 +179,27 @@ test("a paint that the server could not read is said, and the next one is measur
     server.answerPaint();
     await settle();
     assert.ok(isCurrent(studio.store.get()));
+});
+
+test("readings at other angles do not stop the picture, another paint does", async () => {
+    const server = new FakeServer();
+    const { studio } = await studioWith(server, WITH_BALL);
+    studio.viewer.resize(48, 48);
+    server.answerOpen(PAINT);
+    server.answerPaint();
+    await settle();
+    assert.equal(server.received("render").length, 1);
+    const { id } = server.received("render")[0] as { id: number };
+    server.answer({ type: "done", id }); // the draft
+    await new Promise((resolve) => setTimeout(resolve, 400));
+    assert.equal(server.received("render").at(-1)?.samples, 64);
+    studio.setSettings({ tolerance: 2 });
+    studio.setSettings({ geometries: "ma-t12" });
+    server.answerPaint();
+    await settle();
+    assert.equal(server.received("stop").length, 0);
+    studio.edit((d) => setValue(d, parsePath(COAT), 30));
+    assert.equal(server.received("stop").length, 1);
 });
 
 test("the studio says when the server has gone, and goes on when it is back", async () => {

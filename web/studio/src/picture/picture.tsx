@@ -6,7 +6,7 @@ import { orbitOf, turned, wrapped } from "../orbit";
 import { LIGHT_FILES, MESH_FILES } from "../own_files";
 import { useStudio, useStudioState, useViewerState } from "../ui/context";
 import type { Picture, View } from "../viewer";
-import { covers, isCurrent, isKeptBehind } from "../viewer";
+import { covers, isCurrent, isKeptBehind, keptText } from "../viewer";
 
 export function PicturePanel(): VNode {
     return (
@@ -336,12 +336,13 @@ function PictureFoot(): VNode {
     const current = useViewerState(isCurrent);
     const warn = useViewerState((state) => state.gamutWarning);
     const sparkle = useViewerState((state) => state.view?.sparkle ?? true);
+    const kept = useViewerState((state) => (state.keptRecipe === null ? null : keptText(state)));
     const studio = useStudio();
     // Drafts have one sample.
     const traced =
         picture !== null && picture.of > 1 && (current || live === null) ? picture : null;
     const of = traced === null ? "" : `${String(traced.samples)} of ${String(traced.of)}`;
-    const samples =
+    const b =
         live !== null && !covered
             ? `Live${traced === null ? "" : `, path traced ${of}`}`
             : traced !== null
@@ -349,6 +350,7 @@ function PictureFoot(): VNode {
               : picture === null
                 ? "No picture yet"
                 : "Draft";
+    const samples = kept === null ? b : `${b}; A: ${kept}`;
     return (
         <div class="picture-foot">
             <span
