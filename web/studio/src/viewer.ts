@@ -285,7 +285,8 @@ export class Viewer {
         if (covers(state)) this.live?.pause((state.liveSamples ?? 0) > 0);
     }
 
-    private shown(recipe: Table): Picture | null {
+    /** What is seen of B. */
+    shown(recipe: Table): Picture | null {
         const state = this.store.get();
         const live = covers(state) || state.view === null ? null : this.live?.snapshot();
         if (live === null || live === undefined || state.view === null) return state.picture;

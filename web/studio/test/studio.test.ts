@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { setValue } from "../src/edit";
 import { toFragment } from "../src/link";
-import { isCurrent } from "../src/state";
+import { isCurrent, isOld } from "../src/state";
 import { Studio } from "../src/studio";
 import type { Table } from "../src/tree";
 import { get, parsePath } from "../src/tree";
@@ -200,6 +200,58 @@ test("readings at other angles do not stop the picture, another paint does", asy
     assert.equal(server.received("stop").length, 0);
     studio.edit((d) => setValue(d, parsePath(COAT), 30));
     assert.equal(server.received("stop").length, 1);
+});
+
+test("a fit passes over numbers that colours cannot tell, and says so by their names", async () => {
+    const server = new FakeServer();
+    const { studio } = await studioWith(server);
+    server.answerOpen(PAINT);
+    server.answerPaint();
+    const diameter = "layer[0].flakes[0].diameter_um";
+    const refuse = (key: string, why: string) => {
+        const id = server.received("fit").at(-1)?.id;
+        server.answer({ type: "error", id, about: "fit", key, message: `${key}: ${why}` });
+    };
+    const untold = "does not change the colours of this paint, so that they cannot tell it";
+    studio.fit([diameter, COAT], 4);
+    refuse(diameter, untold);
+    assert.deepEqual(server.received("fit").at(-1)?.free, [COAT]);
+    assert.equal(studio.store.get().fit.running, true);
+    assert.match(studio.store.get().fit.skipped.join(), /^Diameter/);
+    refuse(COAT, untold);
+    const { fit } = studio.store.get();
+    assert.equal(fit.running, false);
+    assert.match(fit.fault ?? "", /^Thickness, .*does not change the colours/);
+    assert.equal(server.received("fit").length, 2);
+    studio.fit([diameter, COAT], 4);
+    assert.deepEqual(studio.store.get().fit.skipped, []);
+    refuse(diameter, "must be a number");
+    assert.match(studio.store.get().fit.fault ?? "", /^Diameter.*must be a number/);
+    assert.equal(server.received("fit").length, 3);
+});
+
+test("what is shown is old while the paint as it is now has a fault", async () => {
+    const server = new FakeServer();
+    const { studio } = await studioWith(server);
+    server.answerOpen(PAINT);
+    server.answerPaint();
+    assert.ok(!isOld(studio.store.get()));
+    studio.edit((d) => setValue(d, parsePath(COAT), 1e308));
+    assert.ok(!isOld(studio.store.get()), "it may yet be measured");
+    const id = server.received("paint").at(-1)?.id;
+    server.answer({ type: "error", id, about: "paint", key: COAT, message: "is too thick" });
+    assert.ok(isOld(studio.store.get()));
+    studio.undo();
+    assert.ok(!isOld(studio.store.get()));
+});
+
+test("the server is told the name of a file that is opened", async () => {
+    const server = new FakeServer();
+    const { studio } = await studioWith(server);
+    studio.openText("ior = 1.5", "mine.toml");
+    assert.equal(server.received("open").at(-1)?.name, "mine.toml");
+    studio.openText("ior = 1.6");
+    assert.ok(!("name" in (server.received("open").at(-1) ?? {})));
 });
 
 test("the studio says when the server has gone, and goes on when it is back", async () => {

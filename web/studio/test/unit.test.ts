@@ -6,7 +6,9 @@ import type { FunctionComponent } from "preact";
 import { atlasValues } from "../src/atlas";
 import type { Document } from "../src/edit";
 import { insertEntry, moveEntry, removeEntry, setLock } from "../src/edit";
+import { digits, shortDigits } from "../src/digits";
 import { fileName } from "../src/files";
+import { caveatsAt, caveatsText } from "../src/gamut";
 import { History } from "../src/history";
 import { Latest } from "../src/latest";
 import { EntryKeys } from "../src/ui/entry_keys";
@@ -490,4 +492,31 @@ test("entries of a list keep their keys as they move, change and come back", () 
     assert.deepEqual(keys.of([c, b, changed]), [2, 1, 0], "one before them");
     assert.deepEqual(keys.of([c, changed]), [2, 0], "one taken out");
     assert.deepEqual(keys.of([c, b, changed]), [2, 1, 0], "and back");
+});
+
+test("numbers that are longer than their field are shown by powers of ten", () => {
+    assert.equal(shortDigits(-1_000_000_000), "-1e9");
+    assert.equal(shortDigits(1e308), "1e308");
+    assert.equal(shortDigits(-1.23456e-12), "-1e-12");
+    assert.equal(shortDigits(0.000123456), "1.23e-4");
+    assert.equal(shortDigits(123456789), "1.235e8");
+    for (const value of [0, 15, 0.12345, -12.5, 1234560]) {
+        assert.equal(shortDigits(value), digits(value));
+    }
+});
+
+test("colours outside sRGB and too bright ones are marked and counted apart", () => {
+    const colours = {
+        out_of_gamut: [true, false, false, false],
+        too_bright: [true, true, true, false],
+    };
+    assert.equal(caveatsText(colours), "1 outside sRGB, 3 too bright");
+    assert.equal(caveatsText({ ...colours, out_of_gamut: [] }), "3 too bright");
+    assert.equal(caveatsText({ out_of_gamut: [false], too_bright: [false] }), "");
+    const marks = [0, 1, 3].map((i) =>
+        caveatsAt(colours, i)
+            .map(({ mark }) => mark)
+            .join(""),
+    );
+    assert.deepEqual(marks, ["!↑", "↑", ""]);
 });

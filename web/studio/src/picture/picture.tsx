@@ -2,8 +2,10 @@
 
 import type { VNode } from "preact";
 import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
+import { caveatsText } from "../gamut";
 import { orbitOf, turned, wrapped } from "../orbit";
 import { LIGHT_FILES, MESH_FILES } from "../own_files";
+import { isOld } from "../state";
 import { useStudio, useStudioState, useViewerState } from "../ui/context";
 import type { Picture, View } from "../viewer";
 import { covers, isCurrent, isKeptBehind, keptText } from "../viewer";
@@ -184,6 +186,7 @@ function Canvas(): VNode {
     const behind = useViewerState(isKeptBehind);
     const view = useViewerState((state) => state.view);
     const name = useStudioState((state) => state.document.recipe.name);
+    const old = useStudioState(isOld);
     const [wipe, setWipe] = useState(0.5);
     const drag = useRef<{ x: number; y: number } | null>(null);
     const wiping = useRef(false);
@@ -235,7 +238,7 @@ function Canvas(): VNode {
     };
     const shown = `${typeof name === "string" ? name : "The paint"}, ${view?.shape ?? ""}, ${view?.light ?? ""}`;
     return (
-        <div class="picture stage" ref={place}>
+        <div class={old ? "picture stage old-paint" : "picture stage"} ref={place}>
             <div
                 class="turnable"
                 role="application"
@@ -330,7 +333,8 @@ function PictureFoot(): VNode {
     const fault = useViewerState((state) => state.fault);
     const noLive = useViewerState((state) => state.noLive);
     const readings = useStudioState((state) => state.readings);
-    const outside = readings?.out_of_gamut.filter(Boolean).length ?? 0;
+    const old = useStudioState(isOld);
+    const outside = readings === null ? "" : caveatsText(readings);
     const live = useViewerState((state) => state.liveSamples);
     const covered = useViewerState(covers);
     const current = useViewerState(isCurrent);
@@ -350,7 +354,8 @@ function PictureFoot(): VNode {
               : picture === null
                 ? "No picture yet"
                 : "Draft";
-    const samples = kept === null ? b : `${b}; A: ${kept}`;
+    const now = old ? `Of the paint before: ${b}` : b;
+    const samples = kept === null ? now : `${now}; A: ${kept}`;
     return (
         <div class="picture-foot">
             <span
@@ -358,7 +363,7 @@ function PictureFoot(): VNode {
                 title={
                     fault ??
                     (noLive === null
-                        ? "Samples a pixel of the path tracer's picture"
+                        ? `${samples}. Samples a pixel of the path tracer's picture`
                         : `No live picture: ${noLive}`)
                 }
             >
@@ -391,10 +396,16 @@ function PictureFoot(): VNode {
                     Mark
                 </label>
             )}
-            <span class="gamut" role="status" title="Angles whose colours are outside of sRGB">
-                {outside > 0
-                    ? `${String(outside)} of ${String(readings?.lab.length ?? 0)} outside sRGB`
-                    : ""}
+            <span
+                class={old ? "gamut old" : "gamut"}
+                role="status"
+                title={
+                    outside === ""
+                        ? ""
+                        : `${outside}, of ${String(readings?.lab.length ?? 0)} angles: marked by ! and ↑ at the chips`
+                }
+            >
+                {outside}
             </span>
         </div>
     );
