@@ -81,10 +81,12 @@ function lacksA(state: ViewerState): boolean {
     return state.keptRecipe !== null && (isKeptBehind(state) || samples < KEPT_SAMPLES);
 }
 
-/** What A's picture is: "live", "draft" or its samples. */
+/** What A's picture is: "live", "draft" or its samples, and of how many where others follow. */
 export function keptText({ kept }: ViewerState): string {
     if (kept === null || kept.of === 0) return "live";
-    return kept.of === 1 ? "draft" : `${String(kept.samples)} of ${String(kept.of)}`;
+    if (kept.of === 1) return "draft";
+    const { samples, of } = kept;
+    return samples < of ? `${String(samples)} of ${String(of)}` : String(samples);
 }
 
 /** Whether one shows what another does, with more samples. */

@@ -81,7 +81,7 @@ test("A gets its samples as soon as B has enough to be seen, and B the rest afte
     await answerRender(server, 3, 16);
     assert.equal(server.received("stop").length, 1);
     assert.deepEqual(await answerRender(server, 4), { recipe: PAINT, samples: 16 });
-    assert.equal(keptText(viewer.store.get()), "16 of 16");
+    assert.equal(keptText(viewer.store.get()), "16");
     assert.deepEqual(await answerRender(server, 5, 4), { recipe: OTHER, samples: 64 });
     assert.equal(viewer.store.get().picture?.samples, 16, "B is not seen worse meanwhile");
     await answerRender(server, 5);
