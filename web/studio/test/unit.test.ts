@@ -29,6 +29,7 @@ import {
     placeText,
     rangeText,
     tableInfo,
+    tipOf,
 } from "../src/schema";
 import { Session, unpack } from "../src/session";
 import { niceAbove, scaleOf, settled } from "../src/slider";
@@ -214,6 +215,12 @@ test("keys become labels with units, and ranges are written as in the documents"
     );
     assert.equal(allows(info({ min_excluded: true }), 0), false);
     assert.equal(allows(info({}), 1e7), false);
+});
+
+test("the tip of a number has its document and its range, or what there is of them", () => {
+    assert.equal(tipOf(info({ doc: "How thick" }), ""), "How thick; [0, 1000000] µm");
+    assert.equal(tipOf(info({}), ""), "[0, 1000000] µm");
+    assert.equal(tipOf(info({ doc: "How thick" }), "-1e9"), "-1e9; How thick; [0, 1000000] µm");
 });
 
 test("every number of a paint is a parameter of the form", () => {

@@ -6,7 +6,7 @@ import { digits, shortDigits } from "../digits";
 import type { Document } from "../edit";
 import { setLock, setValue } from "../edit";
 import type { KeyInfo } from "../schema";
-import { labelOf, placeText, rangeText } from "../schema";
+import { labelOf, placeText, tipOf } from "../schema";
 import type { Scale } from "../slider";
 import { scaleOf, settled } from "../slider";
 import type { Path } from "../tree";
@@ -58,7 +58,6 @@ export function NumberRow(props: {
 
     const { unit } = labelOf(info.key);
     const label = props.label ?? labelOf(info.key).label;
-    const range = rangeText(info);
     const full = place === "" ? label : `${label}, ${place}`;
     const change = (to: number, gesture: string | null) => {
         studio.edit((document) => setValue(document, path, to), gesture);
@@ -134,7 +133,7 @@ export function NumberRow(props: {
                 autocomplete="off"
                 value={draft ?? (focused ? digits(value) : shortDigits(value))}
                 readOnly={locked}
-                title={[hidden, info.doc, range].filter(Boolean).join("; ")}
+                title={tipOf(info, hidden)}
                 aria-label={full}
                 aria-invalid={message !== null}
                 data-draft={draft !== null}
