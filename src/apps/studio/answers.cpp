@@ -302,11 +302,12 @@ NamedPaint paint_of(const Tree& recipe, const Context& context) {
 }
 
 Frames answer(const OpenRequest& request, const Context& context) {
-    const NamedPaint named{open_text(request.toml, kRecipeFile), request.toml};
+    const std::string file = request.name.empty() ? kRecipeFile : request.name;
+    const NamedPaint named{open_text(request.toml, file), request.toml};
     if (named.paint.kind() != Kind::recipe) {
         throw InputError("toml: holds no recipe; measured colours are for a standard");
     }
-    const Tree tree = tree_of_toml(request.toml, kRecipeFile);
+    const Tree tree = tree_of_toml(request.toml, file);
     context.memory.set_opened(request.toml);
     return {{dumped(recipe_json(named, tree, context.id)), {}}};
 }

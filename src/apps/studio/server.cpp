@@ -195,6 +195,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
         keep_alive_ = request.keep_alive();
         head_ = request.method() == http::verb::head;
 
+        if (request.count(http::field::host) > 1) {  // which of them is believed is not to matter
+            return refuse(400, "there must be one Host header");
+        }
         const std::string host(request[http::field::host]);
         if (!is_host(host, place_)) {
             return refuse(403, "the Host header must name the address and port of this server");

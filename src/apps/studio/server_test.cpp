@@ -69,6 +69,17 @@ TEST(StudioServer, RefusesOtherHostsTokensAndOrigins) {
     EXPECT_ANY_THROW(PageClient(server, "", "http://evil.example", "evil.example"));
 }
 
+TEST(StudioServer, RefusesTwoHosts) {
+    const RunningServer server;
+    EXPECT_EQ(server.status_of("GET / HTTP/1.1\r\nHost: " + server.host() + "\r\n\r\n"), 200u);
+    for (const std::string& other : {std::string("evil.example"), server.host()}) {
+        EXPECT_EQ(server.status_of("GET / HTTP/1.1\r\nHost: " + server.host() +
+                                   "\r\nHost: " + other + "\r\n\r\n"),
+                  400u)
+            << other;
+    }
+}
+
 TEST(StudioServer, RefusesWhatIsTooLarge) {
     const RunningServer server;
     const auto large = server.get("/", {{"X-Large", std::string(20'000, 'x')}});

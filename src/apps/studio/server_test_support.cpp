@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/write.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
@@ -52,6 +53,17 @@ HttpAnswer RunningServer::get(const std::string& target,
         answer.fields[name] = std::string(field.value());
     }
     return answer;
+}
+
+unsigned RunningServer::status_of(const std::string& request) const {
+    net::io_context io;
+    tcp::socket socket(io);
+    socket.connect(place_of(*this));
+    net::write(socket, net::buffer(request));
+    beast::flat_buffer buffer;
+    http::response<http::string_body> response;
+    http::read(socket, buffer, response);
+    return response.result_int();
 }
 
 HttpAnswer RunningServer::api(const std::string& target) const {

@@ -35,6 +35,8 @@ class RunningServer {
     /// @param fields  of the request, in place of or beside those that a browser sends
     HttpAnswer get(const std::string& target, const std::map<std::string, std::string>& fields = {},
                    const std::string& method = "GET", const std::string& body = "") const;
+    /// Of the answer to a request that is sent as it is.
+    unsigned status_of(const std::string& request) const;
     /// With the token.
     HttpAnswer api(const std::string& target) const;
 

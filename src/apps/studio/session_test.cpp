@@ -155,6 +155,20 @@ TEST(StudioSession, ErrorsSayWhere) {
     EXPECT_EQ(page.read_until("done")["id"], 2);
 }
 
+TEST(StudioSession, ErrorsNameTheFileThatWasOpened) {
+    const RunningServer server;
+    PageClient page(server);
+    const auto error_of = [&](Tree message) {
+        message.update({{"type", "open"}, {"id", 1}, {"toml", "ior = 1.5\nlayer = 3\n"}});
+        page.send(message);
+        return page.read_until("error");
+    };
+    EXPECT_EQ(error_of(Tree::object())["message"].get<std::string>().find("recipe.toml:2:"), 0u);
+    const Tree named = error_of({{"name", "mine.toml"}});
+    EXPECT_EQ(named["message"].get<std::string>().find("mine.toml:2:"), 0u) << named.dump();
+    EXPECT_EQ(named["line"], 2);
+}
+
 TEST(StudioSession, ARecipeFromThePageNamesNoFiles) {
     const RunningServer server;
     PageClient page(server);

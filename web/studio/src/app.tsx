@@ -93,13 +93,8 @@ function StatusLine(): VNode {
     }[connection];
     return (
         <footer class={said === "" || connection === "connecting" ? "status" : "status gone"}>
-            <span
-                class="notice"
-                role="status"
-                aria-live="polite"
-                title={said === "" ? notice : said}
-            >
-                {said === "" ? notice : said}
+            <span class="notice" role="status" aria-live="polite">
+                <span>{said === "" ? notice : said}</span>
             </span>
             <span class="latency" title="From the last change to its colours on the screen">
                 {latency === null ? "" : `${number(latency, 0)} ms`}

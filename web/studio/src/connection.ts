@@ -2,7 +2,7 @@
 
 import type { Document } from "./edit";
 import { messageOf } from "./errors";
-import { textTooLarge } from "./files";
+import { MOST_NAME, textTooLarge } from "./files";
 import type { RecipeMessage, Standard } from "./protocol";
 import type { Schema } from "./schema";
 import type { Answer, Socket } from "./session";
@@ -17,6 +17,12 @@ const WITHOUT_COMMENTS = "ior = 1.5\n[[layer]]\nthickness_um = 1\n";
 interface StandardText {
     readonly csv: string | null;
     readonly name: string;
+}
+
+/** A recipe's text; without a name where it comes from no file. */
+interface OpenedText {
+    readonly toml: string;
+    readonly name: string | undefined;
 }
 
 export interface Server {
@@ -49,7 +55,7 @@ export class Connection {
     private standardAsked: StandardText | null = null;
     /** The text that the server knows as opened, and one that it has yet to answer for. */
     private openedText: string | null = null;
-    private toOpen: string | null = null;
+    private toOpen: OpenedText | null = null;
     /** Told when what was asked will not be answered, by the id of the question. */
     private readonly unanswered = new Map<number, () => void>();
     private begun = false;
@@ -59,10 +65,16 @@ export class Connection {
         private readonly store: Store<State>,
         private readonly follower: Follower,
     ) {
-        this.session = new Session(server.connect, (open) => {
-            if (open) void this.connected();
-            else this.disconnected();
-        });
+        this.session = new Session(
+            server.connect,
+            (open) => {
+                if (open) void this.connected();
+                else this.disconnected();
+            },
+            (why) => {
+                this.store.set({ notice: `The server did not read what it was sent: ${why}` });
+            },
+        );
     }
 
     get isOpen(): boolean {
@@ -86,7 +98,7 @@ export class Connection {
         const isFirst = !this.begun;
         this.begun = true;
         if (!isFirst) this.follower.back();
-        if (this.toOpen !== null) this.openText(this.toOpen);
+        if (this.toOpen !== null) this.openText(this.toOpen.toml, this.toOpen.name);
         else if (isFirst) this.follower.start(schema);
     }
 
@@ -105,17 +117,18 @@ export class Connection {
     // ---- texts of paints ----
 
     /** A text that was typed, dropped or chosen; a faulty one changes nothing and is said. */
-    openText(toml: string, name = "The text"): void {
-        const large = textTooLarge(name, toml);
+    openText(toml: string, name?: string): void {
+        const large = textTooLarge(name ?? "The text", toml);
         if (large !== null) {
             this.store.set({ notOpened: large });
             return;
         }
-        this.toOpen = toml; // when there is a server
+        const asked = { toml, name: name?.slice(-MOST_NAME) };
+        this.toOpen = asked; // when there is a server
         if (!this.isOpen) return;
-        const id = this.session.send("open", { toml }, (message) => {
+        const id = this.session.send("open", asked, (message) => {
             this.session.forget(id);
-            if (this.toOpen === toml) this.toOpen = null;
+            if (this.toOpen === asked) this.toOpen = null;
             if (message.type === "error") {
                 this.store.set({ notOpened: String(message.message) });
                 return;

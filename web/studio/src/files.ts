@@ -11,6 +11,9 @@ export function save(name: string, content: BlobPart, type: string): void {
     }, 10_000);
 }
 
+/** Characters of a file's name that the server is told, the last ones. */
+export const MOST_NAME = 80;
+
 /** What fits in a message to the server, as base64 too. */
 export const MOST_BYTES = 6_000_000;
 /** Of text as JSON has it; the server takes 8 MiB a message, of which the text is not all. */

@@ -1,8 +1,7 @@
 /** A document in the fragment of an address: JSON, raw deflate, base64url. */
 
 import type { Document } from "./edit";
-import type { Value } from "./tree";
-import { isTable } from "./tree";
+import { isTable, isValue } from "./tree";
 
 const PREFIX = "#paint=";
 /** Of the JSON; a recipe has some kilobytes, and a bomb many. */
@@ -72,8 +71,8 @@ export async function fromFragment(fragment: string): Promise<Document | null> {
         const why = error instanceof Error ? error.message : String(error);
         throw new Error(`The paint in this address cannot be read; was it cut? (${why})`);
     }
-    const whole = read as { recipe?: Value; locks?: unknown } | null;
-    if (typeof whole !== "object" || whole === null || !isTable(whole.recipe)) {
+    const whole = (read ?? {}) as { recipe?: unknown; locks?: unknown };
+    if (!isValue(whole.recipe) || !isTable(whole.recipe)) {
         throw new Error("The address holds something that is no paint.");
     }
     const locks = Array.isArray(whole.locks)

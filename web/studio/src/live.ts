@@ -113,7 +113,7 @@ export class Live {
     }
 
     /** What is drawn now. */
-    snapshot(): Omit<Picture, "recipe" | "view"> | null {
+    snapshot(): Pick<Picture, "width" | "height" | "pixels" | "samples" | "of"> | null {
         const { width, height } = this.canvas;
         const copy = document.createElement("canvas");
         copy.width = width;

@@ -2,7 +2,7 @@
 
 import type { Connection } from "./connection";
 import { messageOf } from "./errors";
-import { base64Of, tooLarge } from "./files";
+import { base64Of, MOST_NAME, tooLarge } from "./files";
 import type { Attachment, Message } from "./protocol";
 import { readLight, readMesh } from "./renderer/paint";
 import type { LightInfo, ShapeInfo } from "./schema";
@@ -10,7 +10,6 @@ import type { OwnFile, State } from "./state";
 import type { Store } from "./store";
 import type { Viewer } from "./viewer";
 
-const MOST_NAME = 80;
 /** Files by their endings. */
 export const MESH_FILES = ".obj,.ply,.stl,.glb,.gltf";
 export const LIGHT_FILES = ".hdr,.exr";
@@ -89,6 +88,7 @@ export class OwnFiles {
         const { schema } = this.store.get();
         const data = attachments[0]?.data;
         if (schema === null || data === undefined) return;
+        this.store.set({ notOpened: null }); // what was said of a file before
         const bytes = data.buffer as ArrayBuffer;
         const view = this.viewer.store.get().view;
         // Sent again to a server that had gone, it is shown if it was.

@@ -107,6 +107,7 @@ export interface Attachment {
 
 export interface Message {
     readonly type: string;
-    readonly id?: number;
+    /** Of the question; null where the server could not read it. */
+    readonly id?: number | null;
     readonly [field: string]: unknown;
 }

@@ -229,6 +229,11 @@ export function isStranded(table: Table, info: TableInfo, key: KeyInfo): boolean
     });
 }
 
+/** What is said of a number's key where one points at it. @param before  what comes first; empty: nothing */
+export function tipOf(info: KeyInfo, before: string): string {
+    return [before, info.doc, rangeText(info)].filter((part) => part !== "").join("; ");
+}
+
 /** "(0, 1e6] µm", as docs/recipe.md writes ranges. */
 export function rangeText(info: KeyInfo): string {
     const { min, max } = info;

@@ -51,10 +51,12 @@ export class Session {
     /**
      * @param connect  makes a socket
      * @param onChange  told when the server is there, and when it has gone
+     * @param onUnread  told why the server could not read a message
      */
     constructor(
         private readonly connect: () => Socket,
         private readonly onChange: (open: boolean) => void,
+        private readonly onUnread: (why: string) => void = () => undefined,
     ) {
         this.begin();
     }
@@ -126,6 +128,13 @@ export class Session {
 
     private deliver(message: Message, attachments: readonly Attachment[]): void {
         const { id } = message;
-        if (id !== undefined) this.answers.get(id)?.(message, attachments);
+        if (typeof id === "number") this.answers.get(id)?.(message, attachments);
+        else if (message.type === "error") this.failAll(message);
+    }
+
+    /** A message was refused before its id was read: any that waits may be the one, and none is to wait for ever. */
+    private failAll(error: Message): void {
+        this.onUnread(String(error.message));
+        for (const id of [...this.answers.keys()]) this.answers.get(id)?.({ ...error, id }, []);
     }
 }

@@ -21,6 +21,8 @@ export interface FitState {
     /** Of the matches, as far as they have been measured. */
     readonly colours: readonly Readings[];
     readonly fault: string | null;
+    /** Numbers that colours cannot tell, by their names on the page: they are left as they are. */
+    readonly skipped: readonly string[];
     /** The paint from which it began. */
     readonly began: Document | null;
     /** By which it saw paints. */
@@ -91,6 +93,11 @@ export function isCurrent({ readingsOf, document, readingsBy, settings }: State)
     return readingsOf === document && readingsBy === settings;
 }
 
+/** Whether what is shown is of a paint before: the server finds a fault in the one of now. */
+export function isOld({ fault, readingsOf, document }: State): boolean {
+    return fault !== null && readingsOf !== document;
+}
+
 export const NO_FIT_SETUP: FitSetup = { said: new Map(), starts: 4 };
 export const NO_ATLAS_SETUP: AtlasSetup = { key: null, ends: new Map() };
 
@@ -100,6 +107,7 @@ export const NO_FIT: FitState = {
     matches: null,
     colours: [],
     fault: null,
+    skipped: [],
     began: null,
     model: "",
 };

@@ -5,11 +5,12 @@ import type { Server } from "./connection";
 import { Connection } from "./connection";
 import type { Document } from "./edit";
 import { messageOf } from "./errors";
+import { Fitting } from "./fitting";
 import { History } from "./history";
 import { Latest } from "./latest";
 import { tooLarge } from "./files";
 import { fromFragment, linkIn, toFragment } from "./link";
-import type { ErrorMessage, Match, Message, Readings, RecipeMessage, Standard } from "./protocol";
+import type { ErrorMessage, Message, Readings, RecipeMessage, Standard } from "./protocol";
 import { kindOf, OwnFiles } from "./own_files";
 import { SparkleMeter } from "./sparkle";
 import type { Schema } from "./schema";
@@ -22,7 +23,6 @@ import { Viewer } from "./viewer";
 
 const EMPTY: Document = { recipe: {}, locks: new Set() };
 const LINK_AFTER_MS = 400;
-const NO_SERVER = "There is no server to fit it; begin again when it answers.";
 
 interface PaintRequest {
     readonly recipe: Table;
@@ -59,7 +59,7 @@ export class Studio {
     private readonly session: Session;
     private readonly painting: Latest<PaintRequest>;
     private linkTimer: ReturnType<typeof setTimeout> | undefined;
-    private fitId: number | null = null;
+    private readonly fitting: Fitting;
 
     constructor(private readonly around: Surroundings) {
         this.store = new Store<State>({
@@ -130,6 +130,9 @@ export class Studio {
             this.viewer.hold("atlas", busy);
         });
         this.sparkle = new SparkleMeter(this.store, this.session);
+        this.fitting = new Fitting(this.store, this.session, () => {
+            this.measureMatch();
+        });
         this.ownFiles = new OwnFiles(this.store, this.viewer, this.connection);
     }
 
@@ -148,12 +151,7 @@ export class Studio {
         this.atlas.stop();
         this.ownFiles.abandon();
         this.sparkle.abandon();
-        this.fitId = null;
-        const { fit } = this.store.get();
-        if (fit.running) {
-            const fault = "The server went away before the fit had ended.";
-            this.store.set({ fit: { ...fit, running: false, fault } });
-        }
+        this.fitting.abandon();
     }
 
     /** A place for the live picture, which is begun anew where the graphics processor was lost and is back. */
@@ -295,7 +293,8 @@ export class Studio {
         const { document, settings } = this.store.get();
         if (!this.session.isOpen || Object.keys(document.recipe).length === 0) return;
         const { recipe } = document;
-        this.viewer.hold("colours", true);
+        // Readings alone leave the picture of the paint as it is, which goes on beside them.
+        if (recipe !== this.viewer.store.get().recipe) this.viewer.hold("colours", true);
         const since = this.around.now();
         const { model } = settings;
         this.painting.want({ recipe, document, settings, model, lamp: this.lamp, since });
@@ -445,39 +444,11 @@ export class Studio {
     // ---- the fit ----
 
     fit(free: readonly string[], starts: number): void {
-        const { document, settings } = this.store.get();
-        const { model } = settings;
-        if (!this.session.isOpen) {
-            this.store.set({ fit: { ...NO_FIT, fault: NO_SERVER } });
-            return;
-        }
-        this.store.set({ fit: { ...NO_FIT, running: true, began: document, model } });
-        const fields = { recipe: document.recipe, free, starts, model };
-        this.fitId = this.session.send("fit", fields, (message) => {
-            const { fit } = this.store.get();
-            if (message.type === "progress") {
-                this.store.set({ fit: { ...fit, fraction: Number(message.fraction) } });
-                return;
-            }
-            const ended = { ...fit, running: false, fraction: 1 };
-            if (message.type === "matches") {
-                const matches = message.matches as readonly Match[];
-                this.store.set({ fit: { ...ended, matches, colours: [], fault: null } });
-                this.measureMatch();
-            } else if (message.type === "error") {
-                this.store.set({ fit: { ...ended, fault: String(message.message) } });
-            }
-            if (this.fitId !== null) this.session.forget(this.fitId);
-            this.fitId = null;
-        });
+        this.fitting.begin(free, starts);
     }
 
     stopFit(): void {
-        if (this.fitId === null) return;
-        this.session.tell("stop", { what: "fit" });
-        this.session.forget(this.fitId); // what was stopped says nothing
-        this.fitId = null;
-        this.store.set({ fit: { ...this.store.get().fit, running: false } });
+        this.fitting.stop();
     }
 
     useMatch(recipe: Table): void {

@@ -3,9 +3,9 @@
 import type { VNode } from "preact";
 import { useMemo, useRef } from "preact/hooks";
 import { themeButton } from "../../common/theme";
-import { fileName, pngOf, save } from "./files";
-import { messageOf } from "./errors";
+import { fileName, save } from "./files";
 import { LIGHT_FILES, MESH_FILES } from "./own_files";
+import { PictureFile } from "./picture_file";
 import { report } from "./report";
 import type { State } from "./state";
 import { useStudio, useStudioState } from "./ui/context";
@@ -85,18 +85,7 @@ function Saving(): VNode {
             readings !== null && (fault === null || readingsOf === document),
     );
     const nameOf = ({ document }: State) => document.recipe.name;
-    const savePicture = () => {
-        const canvas = globalThis.document.querySelector<HTMLCanvasElement>("canvas.now");
-        if (canvas === null) return;
-        pngOf(canvas).then(
-            (blob) => {
-                save(fileName(nameOf(studio.store.get()), "png"), blob, "image/png");
-            },
-            (error: unknown) => {
-                studio.say(messageOf(error));
-            },
-        );
-    };
+    const picture = useMemo(() => new PictureFile(studio), [studio]);
     return (
         <span class="saving">
             <button
@@ -112,7 +101,14 @@ function Saving(): VNode {
             >
                 Save recipe
             </button>
-            <button type="button" title="Save the picture, .png" onClick={savePicture}>
+            <button
+                type="button"
+                disabled={!sound}
+                title="Save the path tracer's picture, .png"
+                onClick={() => {
+                    picture.save();
+                }}
+            >
                 Picture
             </button>
             <button

@@ -10,11 +10,21 @@ export type Step = string | number;
 export type Path = readonly Step[];
 
 export function isTable(value: Value | undefined): value is Table {
-    return typeof value === "object" && !Array.isArray(value);
+    return typeof value === "object" && (value as unknown) !== null && !Array.isArray(value);
 }
 
 export function isList(value: Value | undefined): value is readonly Value[] {
     return Array.isArray(value);
+}
+
+/** How deep tables and lists lie in each other at most, as in the program's reader of TOML. */
+const MOST_LEVELS = 32;
+
+/** Whether what came as JSON is what a recipe may hold: nothing is null, and nothing lies too deep. */
+export function isValue(value: unknown, levels = MOST_LEVELS): value is Value {
+    if (typeof value !== "object") return value !== undefined;
+    if (value === null || levels === 0) return false;
+    return Object.values(value).every((inner) => isValue(inner, levels - 1));
 }
 
 /** As messages and tables name a key: "layer[0].flakes[1].volume_fraction". */

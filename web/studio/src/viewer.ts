@@ -30,6 +30,14 @@ export interface Picture {
     readonly of: number;
     readonly recipe: Table;
     readonly view: View;
+    /** Of the place for it, when it was asked for. */
+    readonly place: Size;
+}
+
+/** In pixels of the screen; another object each time that it changes. */
+interface Size {
+    readonly width: number;
+    readonly height: number;
 }
 
 export interface ViewerState {
@@ -67,14 +75,25 @@ export function isKeptBehind({ kept, keptRecipe, view }: ViewerState): boolean {
     return keptRecipe !== null && (kept?.view !== view || kept.recipe !== keptRecipe);
 }
 
-/** Whether A's picture is of the view that is asked for, and no draft nor a coarse live one. */
-function isKeptWhole({ kept, keptRecipe, view }: ViewerState): boolean {
-    return (
-        kept !== null &&
-        kept.recipe === keptRecipe &&
-        kept.view === view &&
-        kept.samples >= KEPT_SAMPLES
-    );
+/** Whether there is an A, of which there is but another view, a draft or a live picture. */
+function lacksA(state: ViewerState): boolean {
+    const samples = state.kept?.samples ?? 0;
+    return state.keptRecipe !== null && (isKeptBehind(state) || samples < KEPT_SAMPLES);
+}
+
+/** What A's picture is: "live", "draft" or its samples, and of how many where others follow. */
+export function keptText({ kept }: ViewerState): string {
+    if (kept === null || kept.of === 0) return "live";
+    if (kept.of === 1) return "draft";
+    const { samples, of } = kept;
+    return samples < of ? `${String(samples)} of ${String(of)}` : String(samples);
+}
+
+/** Whether one shows what another does, with more samples. */
+function isBetter(one: Picture | null, other: Picture): boolean {
+    const alike =
+        one?.recipe === other.recipe && one.view === other.view && one.place === other.place;
+    return alike && one.samples > other.samples;
 }
 
 /** What pictures wait for. */
@@ -83,6 +102,7 @@ export type Holder = "colours" | "atlas" | "shape" | "light";
 interface Job {
     readonly recipe: Table;
     readonly view: View;
+    readonly place: Size;
     readonly kept: boolean;
     readonly quick: boolean;
 }
@@ -114,7 +134,7 @@ export class Viewer {
     /** Of the numbers that it was given last. */
     private liveRecipe: Table | null = null;
     private readonly received = new Received();
-    private size = { width: 0, height: 0 };
+    private size: Size = { width: 0, height: 0 };
     private meanModel = "";
     /** Lights of lamps whose spectra have lines, which few samples do not meet evenly: greys have a tint. */
     private readonly withLines = new Set<string>();
@@ -267,15 +287,17 @@ export class Viewer {
         if (covers(state)) this.live?.pause((state.liveSamples ?? 0) > 0);
     }
 
-    private shown(recipe: Table): Picture | null {
+    /** What is seen of B. */
+    shown(recipe: Table): Picture | null {
         const state = this.store.get();
         const live = covers(state) || state.view === null ? null : this.live?.snapshot();
         if (live === null || live === undefined || state.view === null) return state.picture;
-        return { ...live, recipe, view: state.view };
+        return { ...live, recipe, view: state.view, place: this.size };
     }
 
-    /** The connection broke. */
+    /** The connection broke: what was under way is begun again when colours have come. */
     abandon(): void {
+        this.postponed ||= this.underWay !== null;
         this.underWay = null;
         this.quickWanted = false;
         clearTimeout(this.timer);
@@ -310,9 +332,7 @@ export class Viewer {
     private startLater(): void {
         clearTimeout(this.timer);
         this.timer = setTimeout(() => {
-            // A draft of A first where it is of another view: what is beside it is seen as it is now.
-            const behind = isKeptBehind(this.store.get());
-            this.start(behind, behind);
+            this.proceed();
         }, REST_MS);
     }
 
@@ -326,7 +346,7 @@ export class Viewer {
         if (this.postponed) return;
         const shrink =
             Math.min(1, Math.sqrt(MOST_PIXELS / (width * height))) / (quick ? QUICK_PART : 1);
-        const job: Job = { recipe, view, kept, quick };
+        const job: Job = { recipe, view, place: this.size, kept, quick };
         const { sparkle, ...scene } = view;
         const fields = {
             recipe,
@@ -350,9 +370,14 @@ export class Viewer {
     ): void {
         if (message.type === "picture") {
             const picture = pictureOf(job, message, attachments);
-            this.store.set(job.kept ? { kept: picture } : { picture, fault: null });
-            this.pauseWhenCovered();
-            if (picture.samples < picture.of) return;
+            this.take(job, picture);
+            if (picture.samples < picture.of) {
+                if (!job.kept && this.isTimeForA) {
+                    this.stop();
+                    this.proceed();
+                }
+                return;
+            }
         } else if (message.type === "error") {
             this.store.set({ fault: String(message.message) });
         } else if (message.type !== "done") return;
@@ -360,12 +385,39 @@ export class Viewer {
         this.session.forget(id);
         this.underWay = null;
         if (this.quickWanted) this.refresh();
-        else if (job.quick && job.kept) this.start(false, false);
-        else if (job.quick) this.startLater();
-        else if (!job.kept) {
-            const state = this.store.get();
-            if (state.keptRecipe !== null && !isKeptWhole(state)) this.start(false, true);
-        }
+        else if (job.quick && !job.kept) this.startLater();
+        else if (message.type !== "error") this.proceed();
+        else if (!job.kept && lacksA(this.store.get())) this.start(false, true);
+    }
+
+    /** Shows a picture, unless a better one is seen: one that was begun anew has fewer samples at first. */
+    private take(job: Job, picture: Picture): void {
+        const { kept, picture: shown } = this.store.get();
+        if (!isBetter(job.kept ? kept : shown, picture))
+            this.store.set(job.kept ? { kept: picture } : { picture });
+        if (!job.kept) this.store.set({ fault: null });
+        this.pauseWhenCovered();
+    }
+
+    /** The picture that is to be made next. */
+    private proceed(): void {
+        // A draft of A first where it is of another view: what is beside it is seen as it is now.
+        if (isKeptBehind(this.store.get())) this.start(true, true);
+        else if (this.isTimeForA) this.start(false, true);
+        else if (this.tracedSamples < SAMPLES) this.start(false, false);
+    }
+
+    /** That the path tracer's picture has of B as it is now. */
+    private get tracedSamples(): number {
+        const state = this.store.get();
+        const { picture } = state;
+        return isCurrent(state) && picture?.place === this.size ? picture.samples : 0;
+    }
+
+    /** B can be seen, and A beside it is not as good: B's other samples follow A's. */
+    private get isTimeForA(): boolean {
+        const state = this.store.get();
+        return this.tracedSamples >= state.enough && lacksA(state);
     }
 }
 
@@ -391,5 +443,6 @@ function pictureOf(job: Job, message: Message, attachments: readonly Attachment[
         of: Number(message.of),
         recipe: job.recipe,
         view: job.view,
+        place: job.place,
     };
 }

@@ -1,6 +1,6 @@
 /** A server of the studio for tests without one: it hears what is sent, and answers when told. */
 
-import type { Schema } from "../src/schema";
+import type { Schema, ShapeInfo } from "../src/schema";
 import type { Socket } from "../src/session";
 import type { Table } from "../src/tree";
 
@@ -133,13 +133,13 @@ export const SCHEMA: Schema = {
                     { key: "name", kind: "text", ...text },
                     { key: "volume_fraction", ...fraction },
                     { key: "area_density_per_um", ...number },
-                    { key: "d50_um", ...number },
-                    { key: "d10_um", ...number },
-                    { key: "d90_um", ...number },
+                    { key: "d50_um", ...number, typical: 18 },
+                    { key: "d10_um", ...number, typical: 8 },
+                    { key: "d90_um", ...number, typical: 32 },
                     { key: "diameter_um", ...number, required: false },
                     { key: "core", kind: "table", ...text, required: true },
                     { key: "coats", kind: "list", ...text },
-                    { key: "reflectance", ...fraction, kind: "spectrum" },
+                    { key: "reflectance", ...fraction, kind: "spectrum", typical: 0.5 },
                     { key: "transmittance", ...fraction, kind: "spectrum", required: false },
                 ],
                 alternatives: [
@@ -216,3 +216,18 @@ export const SCHEMA: Schema = {
     mean_model: "microflake",
     start: null,
 };
+
+const BALL: ShapeInfo = {
+    name: "ball",
+    title: "Ball",
+    light: "studio",
+    transform: { scale: 1, rotation_deg: [0, 0, 0], translation_mm: [0, 0, 0] },
+    camera: {
+        position_mm: [0, -300, 100],
+        target_mm: [0, 0, 0],
+        fov_deg: 20,
+        aspect: 1,
+    },
+};
+/** With a shape to be seen. */
+export const WITH_BALL: Schema = { ...SCHEMA, shapes: [BALL] };

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { begin, open, page, settled } from "./harness";
+import { begin, field, FILM, open, page, settled, type } from "./harness";
 
 begin(false);
 
@@ -141,6 +141,56 @@ test("the angles of every set are seen whole, in chips and in tables", async () 
     }
     await page.setViewportSize(USUAL);
     await page.click("[aria-label='Remove the standard']");
+});
+
+test("many chips leave room for a plot, and nothing is left empty below the form", async () => {
+    await open();
+    for (const set of ["byk-mac", "ma-t12", "full"]) {
+        await page.locator("[aria-label='Angles']").selectOption(set);
+        await settled();
+        await page.waitForSelector("#panel-flop svg");
+        const room = await page.$eval(
+            ".tabs",
+            (tabs, height) => height - tabs.getBoundingClientRect().top,
+            USUAL.height - 26,
+        );
+        assert.ok(room >= 250, `${set}: ${String(room)} px`);
+    }
+    const { height } = (await page.locator(".said-place").boundingBox()) ?? { height: 0 };
+    assert.equal(height, 0);
+});
+
+test("a number that is longer than its field is shown short until it is typed", async () => {
+    await open();
+    await type(FILM, "-1000000000");
+    const box = page.locator(field(FILM));
+    assert.equal(await box.inputValue(), "-1000000000");
+    await box.blur();
+    assert.equal(await box.inputValue(), "-1e9");
+    assert.match((await box.getAttribute("title")) ?? "", /^-1000000000; /);
+    // What is of the paint before is dimmed.
+    await page.waitForSelector(".said.wrong");
+    for (const part of [".chip-row", ".key-figures", "#panel-flop > div", "canvas.now"]) {
+        const opacity = await page.$eval(part, (found) => getComputedStyle(found).opacity);
+        assert.equal(opacity, "0.55", part);
+    }
+    await box.focus();
+    assert.equal(await box.inputValue(), "-1000000000");
+    await page.keyboard.press("Control+z");
+    await settled();
+});
+
+test("what is said at the bottom is seen whole, however long", async () => {
+    await open();
+    const csv = `${"geometry,".repeat(60)}\n1,2\n`;
+    const file = { name: "wrong.csv", mimeType: "text/csv", buffer: Buffer.from(csv) };
+    await page.setInputFiles("[aria-label='File of a standard']", file);
+    await page.waitForSelector(".notice:has-text('cannot be used')");
+    const cut = await page.$eval(".notice span", (text) => {
+        const { bottom } = text.getBoundingClientRect();
+        return text.scrollHeight > text.clientHeight || bottom > innerHeight;
+    });
+    assert.equal(cut, false);
 });
 
 test("on a telephone all stands in one column", async () => {

@@ -125,3 +125,31 @@ test("what a slider shows first has the whole picture's light, without grain", a
     assert.ok(Math.abs(shift) < 0.06);
     assert.ok(grain < 0.145);
 });
+
+test("before flakes are drawn, which takes long, the mean is seen in every pixel", async () => {
+    const size = 320;
+    const scene = { paint: "red-gold", shape: "ball", light: "studio", size };
+    const { coarse, fine } = await browser.page.evaluate(
+        (where) => window.beforeFlakes(where),
+        scene,
+    );
+    if (coarse === null) return; // a machine that draws flakes at once
+    const whole = await browser.page.evaluate((where) => window.live(where, 32, false), scene);
+    /** Around the rim of the ball, which in a coarse picture is as wide as its pixels. */
+    const apart = ({ data }: typeof whole): number => {
+        let [sum, light] = [0, 0];
+        for (let at = 0; at < size * size; ++at) {
+            const far = Math.hypot((at % size) - size / 2, Math.floor(at / size) - size / 2);
+            if (far < 0.4 * size || far > 0.5 * size) continue;
+            const wanted = Math.min(whole.data[4 * at + 1] ?? 0, 1);
+            sum += ((data[4 * at + 1] ?? 0) - wanted) ** 2;
+            light += wanted ** 2;
+        }
+        return Math.sqrt(sum / light);
+    };
+    const [before, after] = [apart(coarse), apart(fine)];
+    console.log(
+        `the rim before flakes: ${(100 * before).toFixed(1)} % from the whole, then ${(100 * after).toFixed(1)} %`,
+    );
+    assert.ok(after < 0.8 * before);
+});

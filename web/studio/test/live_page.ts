@@ -144,6 +144,24 @@ async function moved(
     return { coarseness, first, whole };
 }
 
+/** What is on the screen before flakes are: the coarse picture, if there is one, and what follows it. */
+async function beforeFlakes(
+    scene: Scene,
+): Promise<{ coarse: LivePicture | null; fine: LivePicture }> {
+    const views = new Views(1);
+    await views.begin(scene, true);
+    const paint = await shaderOf(scene.paint, scene.light);
+    let coarse: LivePicture | null = null;
+    await views.shown(paint, (state) => {
+        const drawn = state.fine || state.samples > 0;
+        if (!drawn) coarse = views.screen();
+        return drawn;
+    });
+    const fine = views.screen();
+    views.end();
+    return { coarse, fine };
+}
+
 /** The path tracer's, in RGB. */
 async function traced(scene: Scene, samples: number, specimen: number): Promise<LivePicture> {
     const { paint, size, shape, light } = scene;
@@ -166,9 +184,11 @@ declare global {
     interface Window {
         live: typeof live;
         moved: typeof moved;
+        beforeFlakes: typeof beforeFlakes;
         traced: typeof traced;
     }
 }
 window.live = live;
 window.moved = moved;
+window.beforeFlakes = beforeFlakes;
 window.traced = traced;

@@ -27,6 +27,21 @@ test("chips come first, then plots and how long the chips took", async () => {
     assert.match((await page.textContent(".latency")) ?? "", /^\d+ ms$/);
 });
 
+test("the picture that is saved is the path tracer's, which is waited for", async () => {
+    await page.setViewportSize(SMALL);
+    await open();
+    const [file] = await Promise.all([
+        page.waitForEvent("download"),
+        (async () => {
+            await page.getByRole("button", { name: "Picture", exact: true }).click();
+            assert.match((await page.textContent(".notice")) ?? "", /^Waiting for the path/);
+        })(),
+    ]);
+    assert.match(file.suggestedFilename(), /\.png$/);
+    await page.waitForSelector(".notice:has-text('saved, path traced')");
+    await page.setViewportSize(USUAL);
+});
+
 test("before there is a picture its place has the grey behind it", async () => {
     const tab = await newPage();
     await tab.routeWebSocket(/\/api\/session/, (socket) => {

@@ -4,11 +4,11 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { setValue } from "../src/edit";
 import { toFragment } from "../src/link";
-import { isCurrent } from "../src/state";
+import { isCurrent, isOld } from "../src/state";
 import { Studio } from "../src/studio";
 import type { Table } from "../src/tree";
 import { get, parsePath } from "../src/tree";
-import { COAT, FakeServer, PAINT, SCHEMA } from "./fake_server";
+import { COAT, FakeServer, PAINT, SCHEMA, WITH_BALL } from "./fake_server";
 
 /** Lets promises that are settled be heard. */
 const settle = () => new Promise((resolve) => setTimeout(resolve, 5));
@@ -165,6 +165,93 @@ test("a fault is kept until a recipe can be read again, and the last colours sta
     studio.undo();
     server.answerPaint();
     assert.equal(studio.store.get().fault, null);
+});
+
+test("a paint that the server could not read is said, and the next one is measured", async () => {
+    const server = new FakeServer();
+    const { studio } = await studioWith(server);
+    server.answerOpen(PAINT);
+    server.answer({ type: "error", id: null, about: "message", message: "message: too deep" });
+    assert.match(studio.store.get().notice, /did not read.*too deep/);
+    assert.ok(studio.settled);
+    studio.edit((d) => setValue(d, parsePath(COAT), 30));
+    assert.equal(server.received("paint").length, 2);
+    server.answerPaint();
+    await settle();
+    assert.ok(isCurrent(studio.store.get()));
+});
+
+test("readings at other angles do not stop the picture, another paint does", async () => {
+    const server = new FakeServer();
+    const { studio } = await studioWith(server, WITH_BALL);
+    studio.viewer.resize(48, 48);
+    server.answerOpen(PAINT);
+    server.answerPaint();
+    await settle();
+    assert.equal(server.received("render").length, 1);
+    const { id } = server.received("render")[0] as { id: number };
+    server.answer({ type: "done", id }); // the draft
+    await new Promise((resolve) => setTimeout(resolve, 400));
+    assert.equal(server.received("render").at(-1)?.samples, 64);
+    studio.setSettings({ tolerance: 2 });
+    studio.setSettings({ geometries: "ma-t12" });
+    server.answerPaint();
+    await settle();
+    assert.equal(server.received("stop").length, 0);
+    studio.edit((d) => setValue(d, parsePath(COAT), 30));
+    assert.equal(server.received("stop").length, 1);
+});
+
+test("a fit passes over numbers that colours cannot tell, and says so by their names", async () => {
+    const server = new FakeServer();
+    const { studio } = await studioWith(server);
+    server.answerOpen(PAINT);
+    server.answerPaint();
+    const diameter = "layer[0].flakes[0].diameter_um";
+    const refuse = (key: string, why: string) => {
+        const id = server.received("fit").at(-1)?.id;
+        server.answer({ type: "error", id, about: "fit", key, message: `${key}: ${why}` });
+    };
+    const untold = "does not change the colours of this paint, so that they cannot tell it";
+    studio.fit([diameter, COAT], 4);
+    refuse(diameter, untold);
+    assert.deepEqual(server.received("fit").at(-1)?.free, [COAT]);
+    assert.equal(studio.store.get().fit.running, true);
+    assert.match(studio.store.get().fit.skipped.join(), /^Diameter/);
+    refuse(COAT, untold);
+    const { fit } = studio.store.get();
+    assert.equal(fit.running, false);
+    assert.match(fit.fault ?? "", /^Thickness, .*does not change the colours/);
+    assert.equal(server.received("fit").length, 2);
+    studio.fit([diameter, COAT], 4);
+    assert.deepEqual(studio.store.get().fit.skipped, []);
+    refuse(diameter, "must be a number");
+    assert.match(studio.store.get().fit.fault ?? "", /^Diameter.*must be a number/);
+    assert.equal(server.received("fit").length, 3);
+});
+
+test("what is shown is old while the paint as it is now has a fault", async () => {
+    const server = new FakeServer();
+    const { studio } = await studioWith(server);
+    server.answerOpen(PAINT);
+    server.answerPaint();
+    assert.ok(!isOld(studio.store.get()));
+    studio.edit((d) => setValue(d, parsePath(COAT), 1e308));
+    assert.ok(!isOld(studio.store.get()), "it may yet be measured");
+    const id = server.received("paint").at(-1)?.id;
+    server.answer({ type: "error", id, about: "paint", key: COAT, message: "is too thick" });
+    assert.ok(isOld(studio.store.get()));
+    studio.undo();
+    assert.ok(!isOld(studio.store.get()));
+});
+
+test("the server is told the name of a file that is opened", async () => {
+    const server = new FakeServer();
+    const { studio } = await studioWith(server);
+    studio.openText("ior = 1.5", "mine.toml");
+    assert.equal(server.received("open").at(-1)?.name, "mine.toml");
+    studio.openText("ior = 1.6");
+    assert.ok(!("name" in (server.received("open").at(-1) ?? {})));
 });
 
 test("the studio says when the server has gone, and goes on when it is back", async () => {

@@ -127,8 +127,12 @@ test("a mesh and a light of the reader's own are shown, and what cannot be is sa
     await writeFile(path("square.hdr"), hdr(32, 32));
     await writeFile(path("empty.glb"), "glTF");
     await writeFile(path("large.ply"), Buffer.alloc(6_000_001, 0x20));
+    await writeFile(path("wrong.toml"), "ior = 1.5\nlayer = 3\n");
     await open();
+    await page.setInputFiles("[aria-label^='File of a recipe']", path("wrong.toml"));
+    await page.waitForSelector(".said:has-text('Not opened: wrong.toml:2:')");
     await page.setInputFiles("[aria-label='Own mesh']", path("roof.obj"));
+    await page.waitForSelector(".said:not(:has-text('Not opened'))", { state: "attached" });
     await notice(/roof\.obj: 2 triangles, 40 mm, shown as 200 mm/);
     assert.match(await page.inputValue("[aria-label='Shape']"), /^own-shape-1$/);
     await page.setInputFiles("[aria-label='Own HDR']", path("sky.hdr"));

@@ -6,7 +6,9 @@ import type { FunctionComponent } from "preact";
 import { atlasValues } from "../src/atlas";
 import type { Document } from "../src/edit";
 import { insertEntry, moveEntry, removeEntry, setLock } from "../src/edit";
+import { digits, shortDigits } from "../src/digits";
 import { fileName } from "../src/files";
+import { caveatsAt, caveatsText } from "../src/gamut";
 import { History } from "../src/history";
 import { Latest } from "../src/latest";
 import { EntryKeys } from "../src/ui/entry_keys";
@@ -27,6 +29,7 @@ import {
     placeText,
     rangeText,
     tableInfo,
+    tipOf,
 } from "../src/schema";
 import { Session, unpack } from "../src/session";
 import { niceAbove, scaleOf, settled } from "../src/slider";
@@ -144,6 +147,21 @@ test("a paint goes into an address and comes back", async () => {
     await assert.rejects(fromFragment(list), /no paint/);
 });
 
+test("an address with what no recipe can hold is refused", async () => {
+    const deep = (levels: number) => {
+        let recipe: Table = {};
+        for (let i = 1; i < levels; ++i) recipe = { a: recipe };
+        return recipe;
+    };
+    const fragmentOf = (recipe: unknown) =>
+        toFragment({ recipe: recipe as Table, locks: new Set() });
+    assert.deepEqual((await fromFragment(await fragmentOf(deep(32))))?.recipe, deep(32));
+    const bad = [deep(33), deep(200), null, { layer: null }, { layer: [{ flakes: [null] }] }];
+    for (const recipe of bad) {
+        await assert.rejects(fromFragment(await fragmentOf(recipe)), /no paint/);
+    }
+});
+
 test("an address that would unfold to more than a paint is refused", async () => {
     const bomb = await toFragment({ recipe: { name: "a".repeat(2 << 20) }, locks: new Set() });
     assert.ok(bomb.length < 10_000);
@@ -197,6 +215,12 @@ test("keys become labels with units, and ranges are written as in the documents"
     );
     assert.equal(allows(info({ min_excluded: true }), 0), false);
     assert.equal(allows(info({}), 1e7), false);
+});
+
+test("the tip of a number has its document and its range, or what there is of them", () => {
+    assert.equal(tipOf(info({ doc: "How thick" }), ""), "How thick; [0, 1000000] µm");
+    assert.equal(tipOf(info({}), ""), "[0, 1000000] µm");
+    assert.equal(tipOf(info({ doc: "How thick" }), "-1e9"), "-1e9; How thick; [0, 1000000] µm");
 });
 
 test("every number of a paint is a parameter of the form", () => {
@@ -303,6 +327,32 @@ test("answers reach those who asked, with the bytes behind them", () => {
     assert.deepEqual(got, ["picture", ["rgb"]]);
     server.answer({ type: "picture", id: 12345 });
     assert.equal(got.length, 2);
+    session.close();
+});
+
+test("an error about a message whose id was not read ends what waits, and is said", () => {
+    const server = new FakeServer();
+    const said: string[] = [];
+    const session = new Session(
+        server.connect,
+        () => undefined,
+        (why) => said.push(why),
+    );
+    server.open();
+    const ended: string[] = [];
+    for (const type of ["paint", "fit"]) {
+        const id = session.send(type, {}, (message) => {
+            session.forget(id);
+            ended.push(`${type}: ${String(message.message)}`);
+        });
+    }
+    const forgotten = session.send("render", {}, () => ended.push("render"));
+    session.forget(forgotten);
+    server.answer({ type: "stopped", id: null, jobs: 0 });
+    assert.deepEqual(ended, [], "nobody asked");
+    server.answer({ type: "error", id: null, about: "message", message: "nests too deep" });
+    assert.deepEqual(ended, ["paint: nests too deep", "fit: nests too deep"]);
+    assert.deepEqual(said, ["nests too deep"]);
     session.close();
 });
 
@@ -449,4 +499,31 @@ test("entries of a list keep their keys as they move, change and come back", () 
     assert.deepEqual(keys.of([c, b, changed]), [2, 1, 0], "one before them");
     assert.deepEqual(keys.of([c, changed]), [2, 0], "one taken out");
     assert.deepEqual(keys.of([c, b, changed]), [2, 1, 0], "and back");
+});
+
+test("numbers that are longer than their field are shown by powers of ten", () => {
+    assert.equal(shortDigits(-1_000_000_000), "-1e9");
+    assert.equal(shortDigits(1e308), "1e308");
+    assert.equal(shortDigits(-1.23456e-12), "-1e-12");
+    assert.equal(shortDigits(0.000123456), "1.23e-4");
+    assert.equal(shortDigits(123456789), "1.235e8");
+    for (const value of [0, 15, 0.12345, -12.5, 1234560]) {
+        assert.equal(shortDigits(value), digits(value));
+    }
+});
+
+test("colours outside sRGB and too bright ones are marked and counted apart", () => {
+    const colours = {
+        out_of_gamut: [true, false, false, false],
+        too_bright: [true, true, true, false],
+    };
+    assert.equal(caveatsText(colours), "1 outside sRGB, 3 too bright");
+    assert.equal(caveatsText({ ...colours, out_of_gamut: [] }), "3 too bright");
+    assert.equal(caveatsText({ out_of_gamut: [false], too_bright: [false] }), "");
+    const marks = [0, 1, 3].map((i) =>
+        caveatsAt(colours, i)
+            .map(({ mark }) => mark)
+            .join(""),
+    );
+    assert.deepEqual(marks, ["!↑", "↑", ""]);
 });

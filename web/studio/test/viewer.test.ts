@@ -2,30 +2,19 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import type { Schema, ShapeInfo } from "../src/schema";
 import { Session } from "../src/session";
 import type { Table } from "../src/tree";
 import type { ViewerState } from "../src/viewer";
-import { covers, Viewer } from "../src/viewer";
-import { FakeServer, PAINT, SCHEMA } from "./fake_server";
+import { covers, keptText, Viewer } from "../src/viewer";
+import { FakeServer, PAINT, WITH_BALL } from "./fake_server";
 
-const BALL: ShapeInfo = {
-    name: "ball",
-    title: "Ball",
-    light: "studio",
-    transform: { scale: 1, rotation_deg: [0, 0, 0], translation_mm: [0, 0, 0] },
-    camera: {
-        position_mm: [0, -300, 100],
-        target_mm: [0, 0, 0],
-        fov_deg: 20,
-        aspect: 1,
-    },
-};
-const WITH_BALL: Schema = { ...SCHEMA, shapes: [BALL] };
 const OTHER: Table = { ...PAINT, ior: 1.6 };
 
-/** The picture that was asked for last, finished. @return what was asked */
-async function answerRender(server: FakeServer, before: number) {
+/**
+ * The picture that was asked for last, with so many samples, else all.
+ * @return what was asked
+ */
+async function answerRender(server: FakeServer, before: number, done?: number) {
     for (let i = 0; i < 3000 && server.received("render").length === before; ++i) {
         await new Promise((resolve) => setTimeout(resolve, 10));
     }
@@ -34,7 +23,15 @@ async function answerRender(server: FakeServer, before: number) {
     const { id, width, height, samples } = asked as Record<string, number>;
     const shape = [height, width, 3];
     const binary = [{ name: "rgb", dtype: "u8", shape }];
-    server.answer({ type: "picture", id, samples, of: samples, width, height, binary });
+    server.answer({
+        type: "picture",
+        id,
+        samples: done ?? samples,
+        of: samples,
+        width,
+        height,
+        binary,
+    });
     server.answerBytes(new ArrayBuffer(Math.ceil((3 * (width ?? 0) * (height ?? 0)) / 4) * 4));
     return { recipe: asked?.recipe, samples };
 }
@@ -56,6 +53,57 @@ test("A is made whole where a draft of it was kept", async () => {
     assert.deepEqual(await answerRender(server, 3), { recipe: OTHER, samples: 64 });
     assert.deepEqual(await answerRender(server, 4), { recipe: PAINT, samples: 16 });
     assert.equal(viewer.store.get().kept?.samples, 16);
+    session.close();
+});
+
+/** A viewer of the paint, whose draft was seen. */
+async function viewerOf(server: FakeServer) {
+    const session = new Session(server.connect, () => undefined);
+    server.open();
+    const viewer = new Viewer(session);
+    viewer.resize(48, 48);
+    viewer.begin(WITH_BALL);
+    viewer.paint(PAINT);
+    await answerRender(server, 0);
+    return { session, viewer };
+}
+
+test("A gets its samples as soon as B has enough to be seen, and B the rest after it", async () => {
+    const server = new FakeServer();
+    const { session, viewer } = await viewerOf(server);
+    viewer.keep(PAINT);
+    await answerRender(server, 1);
+    viewer.paint(OTHER);
+    await answerRender(server, 2);
+    assert.equal(keptText(viewer.store.get()), "draft");
+    assert.deepEqual(await answerRender(server, 3, 8), { recipe: OTHER, samples: 64 });
+    assert.equal(server.received("render").length, 4, "B cannot be seen yet");
+    await answerRender(server, 3, 16);
+    assert.equal(server.received("stop").length, 1);
+    assert.deepEqual(await answerRender(server, 4), { recipe: PAINT, samples: 16 });
+    assert.equal(keptText(viewer.store.get()), "16");
+    assert.deepEqual(await answerRender(server, 5, 4), { recipe: OTHER, samples: 64 });
+    assert.equal(viewer.store.get().picture?.samples, 16, "B is not seen worse meanwhile");
+    await answerRender(server, 5);
+    assert.equal(viewer.store.get().picture?.samples, 64);
+    assert.equal(server.received("render").length, 6);
+    session.close();
+});
+
+test("a picture that is begun anew takes the place of a better one of the same when it is as good", async () => {
+    const server = new FakeServer();
+    const { session, viewer } = await viewerOf(server);
+    await answerRender(server, 1, 40);
+    viewer.hold("atlas", true);
+    assert.equal(server.received("stop").length, 1);
+    viewer.hold("atlas", false);
+    await answerRender(server, 2, 1);
+    assert.equal(viewer.store.get().picture?.samples, 40);
+    await answerRender(server, 2, 41);
+    assert.equal(viewer.store.get().picture?.samples, 41);
+    viewer.resize(60, 60);
+    await answerRender(server, 3);
+    assert.equal(viewer.store.get().picture?.samples, 1, "of another size");
     session.close();
 });
 

@@ -8,7 +8,7 @@ Frames error_frames(const Tree& id, const std::string& type, const std::exceptio
     const std::string message = error.what();
     Tree json = {{"type", "error"}, {"id", id}, {"about", type}, {"message", message}};
     // "recipe.toml:7:16: layer[0].thickness_um = -3: must be a number in (0, 1000000] um"
-    static const std::regex place(R"(^recipe\.toml:(\d+):(\d+): ([\s\S]*)$)");
+    static const std::regex place(R"(^[^:\n]{1,300}:(\d{1,7}):(\d{1,7}): ([\s\S]*)$)");
     static const std::regex value(
         R"(^([A-Za-z0-9_.\[\]"-]{1,300})( = [^\n]{0,200}?)?: ([\s\S]*)$)");
     static const std::regex range(

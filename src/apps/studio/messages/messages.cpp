@@ -255,7 +255,8 @@ Request request_of(const std::string& type, Fields& fields, ReadingModels models
     if (type == "open") {
         const Tree* toml = fields.find("toml");
         if (!toml) fields.fail("toml", "is missing");
-        return OpenRequest{fields.text("toml", "", io::kMaxTextBytes)};
+        return OpenRequest{fields.text("toml", "", io::kMaxTextBytes),
+                           printable(fields.text("name", "", kMaxNameBytes))};
     }
     if (type == "paint") {
         return PaintRequest{fields.object("recipe"), viewed_of(fields, models),

@@ -38,6 +38,7 @@ struct Viewed {
 /// A text of a recipe.
 struct OpenRequest {
     std::string toml;
+    std::string name = {};  ///< of its file in messages; empty: it has none
 };
 struct PaintRequest {
     Tree recipe;

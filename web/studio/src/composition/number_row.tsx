@@ -2,10 +2,11 @@
 
 import type { VNode } from "preact";
 import { useEffect, useId, useRef, useState } from "preact/hooks";
+import { digits, shortDigits } from "../digits";
 import type { Document } from "../edit";
 import { setLock, setValue } from "../edit";
 import type { KeyInfo } from "../schema";
-import { labelOf, placeText, rangeText } from "../schema";
+import { labelOf, placeText, tipOf } from "../schema";
 import type { Scale } from "../slider";
 import { scaleOf, settled } from "../slider";
 import type { Path } from "../tree";
@@ -13,11 +14,6 @@ import { pathText } from "../tree";
 import { useStudio, useStudioState, useValueAt } from "../ui/context";
 import { IconButton } from "../ui/icons";
 import { FaultText, useFaultAt } from "./fault";
-
-/** Six significant digits, as people write numbers. */
-function digits(value: number): string {
-    return String(Number(value.toPrecision(6)));
-}
 
 /** Bounds of the recipe's own table [fit]. */
 function boundsOf(bounds: unknown): readonly [number, number] | undefined {
@@ -42,6 +38,7 @@ export function NumberRow(props: {
     const fault = useFaultAt(path);
     const id = useId();
     const [draft, setDraft] = useState<string | null>(null);
+    const [focused, setFocused] = useState(false);
     const [wrong, setWrong] = useState<{ readonly text: string; readonly of: Document } | null>(
         null,
     );
@@ -61,7 +58,6 @@ export function NumberRow(props: {
 
     const { unit } = labelOf(info.key);
     const label = props.label ?? labelOf(info.key).label;
-    const range = rangeText(info);
     const full = place === "" ? label : `${label}, ${place}`;
     const change = (to: number, gesture: string | null) => {
         studio.edit((document) => setValue(document, path, to), gesture);
@@ -84,6 +80,7 @@ export function NumberRow(props: {
         const size = event.shiftKey ? 10 * step : step;
         change(settled(info, { low, high: Infinity, step }, value + sign * size), `type ${text}`);
     };
+    const hidden = shortDigits(value) === digits(value) ? "" : digits(value);
     const message = stands && wrong !== null ? wrong.text : fault;
     return (
         <div class={message === null ? "row number" : "row number wrong"} data-key={text}>
@@ -134,9 +131,9 @@ export function NumberRow(props: {
                 type="text"
                 inputMode="decimal"
                 autocomplete="off"
-                value={draft ?? digits(value)}
+                value={draft ?? (focused ? digits(value) : shortDigits(value))}
                 readOnly={locked}
-                title={range === "" ? info.doc : `${info.doc}; ${range}`}
+                title={tipOf(info, hidden)}
                 aria-label={full}
                 aria-invalid={message !== null}
                 data-draft={draft !== null}
@@ -145,9 +142,12 @@ export function NumberRow(props: {
                     setDraft(event.currentTarget.value);
                 }}
                 onFocus={(event) => {
+                    setFocused(true);
+                    event.currentTarget.value = digits(value); // before it is selected
                     event.currentTarget.select();
                 }}
                 onBlur={() => {
+                    setFocused(false);
                     commit();
                     studio.endGesture();
                 }}

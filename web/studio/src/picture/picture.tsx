@@ -2,11 +2,13 @@
 
 import type { VNode } from "preact";
 import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
+import { caveatsText } from "../gamut";
 import { orbitOf, turned, wrapped } from "../orbit";
 import { LIGHT_FILES, MESH_FILES } from "../own_files";
+import { isOld } from "../state";
 import { useStudio, useStudioState, useViewerState } from "../ui/context";
 import type { Picture, View } from "../viewer";
-import { covers, isCurrent, isKeptBehind } from "../viewer";
+import { covers, isCurrent, isKeptBehind, keptText } from "../viewer";
 
 export function PicturePanel(): VNode {
     return (
@@ -184,6 +186,7 @@ function Canvas(): VNode {
     const behind = useViewerState(isKeptBehind);
     const view = useViewerState((state) => state.view);
     const name = useStudioState((state) => state.document.recipe.name);
+    const old = useStudioState(isOld);
     const [wipe, setWipe] = useState(0.5);
     const drag = useRef<{ x: number; y: number } | null>(null);
     const wiping = useRef(false);
@@ -235,7 +238,7 @@ function Canvas(): VNode {
     };
     const shown = `${typeof name === "string" ? name : "The paint"}, ${view?.shape ?? ""}, ${view?.light ?? ""}`;
     return (
-        <div class="picture stage" ref={place}>
+        <div class={old ? "picture stage old-paint" : "picture stage"} ref={place}>
             <div
                 class="turnable"
                 role="application"
@@ -330,18 +333,20 @@ function PictureFoot(): VNode {
     const fault = useViewerState((state) => state.fault);
     const noLive = useViewerState((state) => state.noLive);
     const readings = useStudioState((state) => state.readings);
-    const outside = readings?.out_of_gamut.filter(Boolean).length ?? 0;
+    const old = useStudioState(isOld);
+    const outside = readings === null ? "" : caveatsText(readings);
     const live = useViewerState((state) => state.liveSamples);
     const covered = useViewerState(covers);
     const current = useViewerState(isCurrent);
     const warn = useViewerState((state) => state.gamutWarning);
     const sparkle = useViewerState((state) => state.view?.sparkle ?? true);
+    const kept = useViewerState((state) => (state.keptRecipe === null ? null : keptText(state)));
     const studio = useStudio();
     // Drafts have one sample.
     const traced =
         picture !== null && picture.of > 1 && (current || live === null) ? picture : null;
     const of = traced === null ? "" : `${String(traced.samples)} of ${String(traced.of)}`;
-    const samples =
+    const b =
         live !== null && !covered
             ? `Live${traced === null ? "" : `, path traced ${of}`}`
             : traced !== null
@@ -349,6 +354,8 @@ function PictureFoot(): VNode {
               : picture === null
                 ? "No picture yet"
                 : "Draft";
+    const now = old ? `Of the paint before: ${b}` : b;
+    const samples = kept === null ? now : `${now}; A: ${kept}`;
     return (
         <div class="picture-foot">
             <span
@@ -356,7 +363,7 @@ function PictureFoot(): VNode {
                 title={
                     fault ??
                     (noLive === null
-                        ? "Samples a pixel of the path tracer's picture"
+                        ? `${samples}. Samples a pixel of the path tracer's picture`
                         : `No live picture: ${noLive}`)
                 }
             >
@@ -389,10 +396,16 @@ function PictureFoot(): VNode {
                     Mark
                 </label>
             )}
-            <span class="gamut" role="status" title="Angles whose colours are outside of sRGB">
-                {outside > 0
-                    ? `${String(outside)} of ${String(readings?.lab.length ?? 0)} outside sRGB`
-                    : ""}
+            <span
+                class={old ? "gamut old" : "gamut"}
+                role="status"
+                title={
+                    outside === ""
+                        ? ""
+                        : `${outside}, of ${String(readings?.lab.length ?? 0)} angles: marked by ! and ↑ at the chips`
+                }
+            >
+                {outside}
             </span>
         </div>
     );

@@ -1,9 +1,9 @@
 /**
  * From sums of samples to the screen.
  *
- * While a slider moves, the coarse picture has the mean of the flakes. If the paint before had the same
- * flakes, its whole picture tells which of them glitter: the coarse picture is multiplied by that picture
- * over its own mean around each pixel.
+ * While a slider moves, the coarse picture has the mean of the flakes, and so has the first picture of every pixel. If the paint before had the same
+ * flakes, its whole picture tells which of them glitter: the mean is multiplied by that picture over its own mean
+ * around each of the coarse picture's pixels.
  */
 
 import type { Texture, TextureDataType, WebGLRenderer, WebGLRenderTarget } from "three";
@@ -66,6 +66,8 @@ export class Display {
     /** Of the coarse picture: along its rows, and both ways, for the screen to filter. */
     private rowMeans: WebGLRenderTarget | null = null;
     private coarseMeans: WebGLRenderTarget | null = null;
+    /** Of which picture these are. */
+    private smoothedOf: { readonly sums: Sums; readonly changes: number } | null = null;
     /** Of what is filtered: half floats, which processors first make floats of, only where others are not filtered. */
     private readonly filteredType: TextureDataType;
 
@@ -114,17 +116,19 @@ export class Display {
         this.before = null;
     }
 
-    /** @param warn  marks colours that the display cannot show */
-    draw(whole: Sums, coarse: Sums | null, warn: boolean): void {
-        const hasCoarse = coarse !== null && coarse.samples > 0;
+    /**
+     * @param mean    of the flakes, coarse or of every pixel, until the whole picture has samples enough
+     * @param coarse  the coarse one
+     * @param warn    marks colours that the display cannot show
+     */
+    draw(whole: Sums, mean: Sums | null, coarse: Sums | null, warn: boolean): void {
+        const hasMean = mean !== null && mean.samples > 0;
         let shown: Shown = "whole";
-        if (hasCoarse && whole.samples < ENOUGH) {
-            shown = whole.samples === 0 && whole.rows === 0 ? "coarse" : "both";
-        }
+        if (hasMean && whole.samples < ENOUGH) shown = whole.begun ? "both" : "coarse";
         let glitter = this.even;
-        if (hasCoarse && shown !== "whole") {
-            this.smoothed(coarse);
-            if (this.glitters && this.before !== null)
+        if (hasMean && shown !== "whole") {
+            this.smoothed(mean);
+            if (this.glitters && this.before !== null && coarse !== null)
                 glitter = this.glitterOf(this.before, coarse);
         }
         const screen = this.screens[shown];
@@ -159,8 +163,11 @@ export class Display {
         return light(before.glitter);
     }
 
-    /** Of a coarse picture, which shows no single flakes: along its rows, then its columns. */
-    private smoothed({ target, shape, samples }: Sums): void {
+    /** Of a picture that shows no single flakes: along its rows, then its columns. */
+    private smoothed(sums: Sums): void {
+        const { target, shape, samples, changes } = sums;
+        if (this.smoothedOf?.sums === sums && this.smoothedOf.changes === changes) return;
+        this.smoothedOf = { sums, changes };
         this.rowMeans = this.meansLike(target, this.rowMeans);
         this.coarseMeans = this.meansLike(target, this.coarseMeans);
         this.smooth.set({

@@ -13,7 +13,7 @@ import type { Stratum } from "./flakes";
 import { flakeValues, restMatrix, sampleOf } from "./flakes";
 import { lightValues } from "./lights";
 import type { Light, Mesh, PaintFilms, PaintShader, Transform } from "./paint";
-import { Pace, REST_MS } from "./pace";
+import { Pace, REST_MS, whenDrawn } from "./pace";
 import { uniformValues, withFilms } from "./paint";
 import { clear, filled, Pass, rendererOn } from "./pass";
 import { EVERYWHERE, MOST_RECTANGLES, shading } from "./passes";
@@ -26,6 +26,8 @@ import { surroundings } from "./surroundings";
 export interface LiveState {
     /** Of every pixel of the whole picture. */
     readonly samples: number;
+    /** Whether the mean was drawn in every pixel, as it is before flakes are that take long. */
+    readonly fine: boolean;
     /** Whether a paint's program is still being compiled. */
     readonly compiling: boolean;
     /** The last frame's, from when it was begun until the graphics processor had drawn it. */
@@ -51,8 +53,6 @@ const COARSE_SAMPLES = 24;
 /** Fine enough for lights; coarse enough for many samples of a pixel, and to tell glitter from its mean. */
 const LEAST_COARSE = 3;
 const MOST_COARSE = 10;
-/** Between looks whether a frame has been drawn. */
-const POLL_MS = 2;
 /** Of a sample with flakes, over one that does not, where processors draw. */
 const COST_OF_FLAKES = 6;
 const MOST_SAMPLES = 1024;
@@ -81,6 +81,8 @@ export class LiveView {
 
     private whole: Sums | null = null;
     private coarse: Sums | null = null;
+    /** The mean in every pixel, shown before flakes are where these take long. */
+    private fine: Sums | null = null;
     private coarseness = 3;
     private readonly pace = new Pace();
     /** Whether a frame is being drawn. */
@@ -197,14 +199,15 @@ export class LiveView {
         this.renderer.setSize(Math.max(1, width), Math.max(1, height), false);
         this.whole?.delete();
         this.whole = this.make(1);
-        this.coarse?.delete();
-        this.coarse = null;
+        for (const sums of [this.coarse, this.fine]) sums?.delete();
+        this.coarse = this.fine = null;
         this.restart();
     }
 
     get state(): LiveState {
         return {
             samples: this.whole?.samples ?? 0,
+            fine: this.isFine,
             compiling: this.nextPaint !== null,
             frame_ms: this.pace.frame_ms,
             coarseness: this.coarseness,
@@ -258,9 +261,7 @@ export class LiveView {
 
     private restart(): void {
         this.shown.forget();
-        for (const sums of [this.whole, this.coarse]) {
-            sums?.restart();
-        }
+        for (const sums of [this.whole, this.coarse, this.fine]) sums?.restart();
         this.dirty = true;
         this.schedule();
     }
@@ -310,23 +311,11 @@ export class LiveView {
 
     /** Until the graphics processor has drawn a frame, which tells how fast it is. */
     private waitUntilDrawn(begun: number, work: number): void {
-        const gl = this.renderer.getContext() as WebGL2RenderingContext;
-        const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-        gl.flush();
-        if (sync === null) return; // the context is lost
-        this.underWay = true;
-        const look = () => {
-            // Oftener than the screen shows a picture: a millisecond would count as seventeen.
-            if (gl.clientWaitSync(sync, 0, 0) === gl.TIMEOUT_EXPIRED) {
-                setTimeout(look, POLL_MS);
-                return;
-            }
-            gl.deleteSync(sync);
+        this.underWay = whenDrawn(this.renderer.getContext() as WebGL2RenderingContext, () => {
             this.underWay = false;
             this.pace.drawn(performance.now() - begun, work);
             this.schedule();
-        };
-        setTimeout(look, POLL_MS);
+        });
     }
 
     /** Hands over the numbers of a paint whose program is there. */
@@ -342,7 +331,7 @@ export class LiveView {
         this.filmsWanted = false;
         this.handOver(paint, paint);
         if (this.whole) this.whole.samples = this.whole.rows = 0;
-        this.coarse?.restartWhereSeen();
+        for (const sums of [this.coarse, this.fine]) sums?.restartWhereSeen();
         this.dirty = true;
     }
 
@@ -377,7 +366,7 @@ export class LiveView {
             const wanted = whole.samples === 0 ? Math.max(moving, least) : budget;
             return this.add(whole, Math.min(wanted, 8 * least));
         }
-        if (whole.samples === 0 && whole.rows === 0) {
+        if (!whole.begun && this.fine?.begun !== true) {
             clear(this.renderer, whole.target);
             const wanted = Math.ceil(Math.sqrt(pixels / moving));
             const coarse = this.coarseOf(Math.min(Math.max(wanted, LEAST_COARSE), MOST_COARSE));
@@ -397,10 +386,19 @@ export class LiveView {
         ) {
             return this.add(coarse, budget);
         }
+        if (sampled && !whole.begun && !this.isFine) {
+            this.fine ??= this.make(1);
+            return this.add(this.fine, Math.min(budget, this.fine.left));
+        }
         return awaited ? 0 : this.add(whole, budget);
     }
 
-    /** A coarse picture's pixels are others: it shows the mean. */
+    /** Whether the mean is there in every pixel, of a picture whose flakes take longer. */
+    private get isFine(): boolean {
+        return this.fine !== null && this.fine.samples > 0;
+    }
+
+    /** Other pictures' pixels are others, or are seen before flakes are: they show the mean. */
     private showsFlakesIn(sums: Sums): boolean {
         return this.sparkle && sums === this.whole && this.paint?.flakes === true;
     }
@@ -448,7 +446,7 @@ export class LiveView {
 
     private drawShape(sums: Sums, eye: Eye, shift: readonly [number, number]): void {
         const [transform, camera] = [this.transform as Transform, this.camera as Camera];
-        const coarse = sums !== this.whole;
+        const coarse = sums === this.coarse;
         this.shape.draw(sums, transform, this.turn_deg, camera, eye, shift, coarse);
     }
 
@@ -484,6 +482,8 @@ export class LiveView {
     }
 
     private display(): void {
-        if (this.whole && this.shown.ready()) this.shown.draw(this.whole, this.coarse, this.warn);
+        if (!this.whole || !this.shown.ready()) return;
+        const mean = this.isFine ? this.fine : this.coarse;
+        this.shown.draw(this.whole, mean, this.coarse, this.warn);
     }
 }

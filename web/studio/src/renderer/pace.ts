@@ -17,6 +17,30 @@ const LEAST_WORK = 4096;
  */
 export const REST_MS = 200;
 
+/** Between looks whether a frame has been drawn. */
+const POLL_MS = 2;
+
+/**
+ * Calls back when the graphics processor has drawn what it was told.
+ * @return false: never, as the context is lost
+ */
+export function whenDrawn(gl: WebGL2RenderingContext, then: () => void): boolean {
+    const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    if (sync === null) return false;
+    const look = () => {
+        // Oftener than the screen shows a picture: a millisecond would count as seventeen.
+        if (gl.clientWaitSync(sync, 0, 0) === gl.TIMEOUT_EXPIRED) {
+            setTimeout(look, POLL_MS);
+            return;
+        }
+        gl.deleteSync(sync);
+        then();
+    };
+    setTimeout(look, POLL_MS);
+    return true;
+}
+
 export class Pace {
     /** The last frame's, from when it was begun until the graphics processor had drawn it. */
     frame_ms = 0;

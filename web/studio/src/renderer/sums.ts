@@ -15,6 +15,8 @@ export class Sums {
     samples = 0;
     /** That have the sample under way. */
     rows = 0;
+    /** How often rows were added. */
+    changes = 0;
     /** Number of the place in its pixels where the first sample looked, and each later one further on. */
     private first = 0;
 
@@ -27,6 +29,16 @@ export class Sums {
     ) {
         this.target = makeTarget(renderer, width, height, type, { count: 2 });
         this.shape = makeTarget(renderer, width, height, FloatType, { count: 2, depth: true });
+    }
+
+    /** Whether there is something in it. */
+    get begun(): boolean {
+        return this.samples > 0 || this.rows > 0;
+    }
+
+    /** Samples of pixels until all have the sample under way. */
+    get left(): number {
+        return (this.target.height - this.rows) * this.target.width;
     }
 
     /** Number of the place where the sample under way looks. */
@@ -49,6 +61,7 @@ export class Sums {
 
     /** So many rows more have the sample under way. */
     added(rows: number): void {
+        ++this.changes;
         this.rows += rows;
         if (this.rows < this.target.height) return;
         this.rows = 0;

@@ -6,8 +6,9 @@ import type { Lab } from "../../../common/colour";
 import { chip } from "../../../common/colour";
 import { angleName, number } from "../../../common/dom";
 import { byLamp } from "../../../common/geometry";
+import { caveatsAt } from "../gamut";
 import type { Readings } from "../protocol";
-import { isCurrent } from "../state";
+import { isCurrent, isOld } from "../state";
 import { useStudioState } from "../ui/context";
 
 interface Group {
@@ -58,13 +59,13 @@ export function AngleText({ text }: { readonly text: string }): VNode {
 
 export function Chips(): VNode {
     const readings = useStudioState((state) => state.readings);
-    const sound = useStudioState((state) => state.fault === null);
+    const old = useStudioState(isOld);
     const current = useStudioState(isCurrent);
     if (readings === null) return <div class="stage chips" aria-busy="true" />;
     const parts = groups(readings.geometries);
     return (
         <div
-            class={sound ? "stage chips" : "stage chips old"}
+            class={old ? "stage chips old" : "stage chips"}
             role="group"
             aria-label="Chips"
             data-current={current}
@@ -92,22 +93,29 @@ function Chip({ readings, i, label }: { readings: Readings; i: number; label: st
     const versus = readings.standard;
     const difference = versus?.delta_e_2000?.[i];
     const passes = versus?.passes?.[i];
-    const caveats = [
-        readings.out_of_gamut[i] === true ? "outside sRGB, clipped" : "",
-        readings.too_bright[i] === true ? "brighter than white, dimmed" : "",
-    ].filter(Boolean);
+    const caveats = caveatsAt(readings, i);
     const numbers = `L* ${number(lab[0], 2)}, a* ${number(lab[1], 2)}, b* ${number(lab[2], 2)}`;
     return (
         <li
             class="chip"
             data-geometry={readings.geometries[i]}
             data-lab={lab.join(" ")}
-            title={[angleName(readings.geometries[i] as string), numbers, ...caveats].join("\n")}
+            title={[
+                angleName(readings.geometries[i] as string),
+                numbers,
+                ...caveats.map(({ means }) => means),
+            ].join("\n")}
         >
             <div class="faces">
                 {standard !== null && <i style={{ background: chip(standard).css }} />}
                 <i style={{ background: chip(lab).css }} />
-                {caveats.length > 0 && <abbr aria-label={caveats.join(", ")}>!</abbr>}
+                <span class="marks">
+                    {caveats.map(({ mark, means }) => (
+                        <abbr key={mark} title={means} aria-label={means}>
+                            {mark}
+                        </abbr>
+                    ))}
+                </span>
             </div>
             <b>
                 <AngleText text={label} />

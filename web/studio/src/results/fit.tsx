@@ -104,6 +104,12 @@ export function Fit(): VNode {
                     {fit.fault}
                 </p>
             )}
+            {fit.skipped.length > 0 && (
+                <p class="found-by" role="status">
+                    Left as they are, since they do not change the colours: {fit.skipped.join("; ")}
+                    .
+                </p>
+            )}
             {fit.matches !== null && fit.model !== model && (
                 <p class="found-by">Found and read by {modelTitle(schema, fit.model)}.</p>
             )}

@@ -1,10 +1,11 @@
 /** The right of the studio: chips against the standard, key figures, and what is behind them. */
 
-import type { VNode } from "preact";
+import type { ComponentChildren, VNode } from "preact";
 import { useRef, useState } from "preact/hooks";
 import { number } from "../../../common/dom";
 import type { Comparison } from "../protocol";
 import { modelTitle } from "../schema";
+import { isOld } from "../state";
 import { useStudio, useStudioState } from "../ui/context";
 import { focusSoon } from "../ui/focus";
 import { NumberField } from "../ui/number_field";
@@ -18,10 +19,17 @@ import { Numbers } from "./numbers";
 import { SparklePanel } from "./sparkle";
 import { Spectra } from "./spectra";
 
+/** Dimmed while the paint as it is now has none. */
+function OfPaint({ children }: { readonly children: ComponentChildren }): VNode {
+    const old = useStudioState(isOld);
+    return <div class={old ? "old" : ""}>{children}</div>;
+}
+const ofPaint = (panel: VNode) => <OfPaint>{panel}</OfPaint>;
+
 const TABS: readonly Tab[] = [
-    { name: "flop", title: "Flop", panel: () => <Flop /> },
-    { name: "numbers", title: "L*a*b*", panel: () => <Numbers /> },
-    { name: "spectra", title: "Spectra", panel: () => <Spectra /> },
+    { name: "flop", title: "Flop", panel: () => ofPaint(<Flop />) },
+    { name: "numbers", title: "L*a*b*", panel: () => ofPaint(<Numbers />) },
+    { name: "spectra", title: "Spectra", panel: () => ofPaint(<Spectra />) },
     { name: "atlas", title: "Atlas", panel: () => <AtlasPanel /> },
     { name: "sparkle", title: "Sparkle", panel: () => <SparklePanel /> },
     { name: "fit", title: "Fit", panel: () => <Fit /> },
@@ -193,6 +201,7 @@ function StandardBar(): VNode {
 function KeyFigures(): VNode {
     const readings = useStudioState((state) => state.readings);
     const versus: Comparison | null = readings?.standard ?? null;
+    const old = useStudioState(isOld);
     const figure = (name: string, value: string, wide = false) => (
         <div class={wide ? "wide" : ""}>
             <dt>{name}</dt>
@@ -200,7 +209,7 @@ function KeyFigures(): VNode {
         </div>
     );
     return (
-        <dl class="key-figures">
+        <dl class={old ? "key-figures old" : "key-figures"}>
             {figure("Flop index", number(readings?.flop_index, 2))}
             {figure("Colour travel", number(readings?.colour_travel.length, 1))}
             {figure("Mean ΔE", number(versus?.mean, 2))}
