@@ -1,5 +1,7 @@
 #include "apps/studio/schema.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -245,6 +247,30 @@ Tree paints_json() {
     return all;
 }
 
+/// The flakes of the paints, as entries of a layer's list: called as their paint where they are its only
+/// ones.
+Tree flakes_json(const Tree& paints) {
+    Tree all = Tree::array();
+    for (const Tree& paint : paints) {
+        const std::string title = paint["title"];
+        const Tree recipe = tree_of_toml(paint["toml"], title);
+        Tree own = Tree::array();
+        for (const Tree& layer : recipe.value("layer", Tree::array())) {
+            for (const Tree& flakes : layer.value("flakes", Tree::array())) {
+                own.push_back({{"name", title}, {"summary", ""}, {"value", flakes}});
+            }
+        }
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            const std::string name = own[i]["value"].value("name", "");
+            own[i][own.size() == 1 ? "summary" : "name"] =
+                own.size() == 1 ? name : fmt::format("{}, flakes {}", title, i + 1);
+            if (own.size() > 1) own[i]["summary"] = name;
+            all.push_back(std::move(own[i]));
+        }
+    }
+    return all;
+}
+
 Tree geometry_sets_json() {
     Tree all = Tree::array();
     for (const measure::GeometrySet& set : measure::geometry_sets()) {
@@ -285,12 +311,15 @@ Tree schema(const Progress& progress) {
     for (const Observer o : {Observer::cie1931_2deg, Observer::cie1964_10deg}) {
         observers.push_back(spectra::name(o));
     }
+    Tree paints = paints_json();
+    Tree flakes = flakes_json(paints);
     return {{"version", version()},
             {"api", kApiVersion},
             {"recipe", recipe_schema()},
             {"materials", materials_json()},
             {"pigments", pigments_json(progress)},
-            {"paints", paints_json()},
+            {"flakes", std::move(flakes)},
+            {"paints", std::move(paints)},
             {"geometry_sets", geometry_sets_json()},
             {"illuminants", std::move(illuminants)},
             {"observers", std::move(observers)},

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include <cstring>
 
 #include "apps/studio/messages/messages.h"
@@ -163,6 +165,15 @@ TEST(StudioServer, TheSchemaSaysWhatShips) {
         EXPECT_NO_THROW(io::parse_recipe_file(paint["toml"].get<std::string>(), "x", {}))
             << paint["name"];
     }
+    std::set<std::string> names;
+    for (const Tree& flakes : schema["flakes"]) {
+        const std::string name = flakes["name"];
+        EXPECT_TRUE(names.insert(name).second) << name << " is there twice";
+        Tree recipe = tree_of_toml("ior = 1.5\n[[layer]]\nthickness_um = 20\n", "x");
+        recipe["layer"][0]["flakes"] = Tree::array({flakes["value"]});
+        EXPECT_NO_THROW(io::parse_recipe_file(toml_of_tree(recipe), "x", {})) << name;
+    }
+    EXPECT_GT(names.size(), 25u);
     EXPECT_GT(schema["materials"].size(), 20u);
     EXPECT_GT(schema["pigments"].size(), 5u);
     EXPECT_EQ(schema["illuminants"].size(), 6u);

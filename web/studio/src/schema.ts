@@ -89,6 +89,8 @@ export interface Schema {
     readonly recipe: { readonly tables: readonly TableInfo[] };
     readonly materials: readonly Named[];
     readonly pigments: readonly Named[];
+    /** Of the paints that ship, each an entry of a layer's list. */
+    readonly flakes: readonly (Pick<Named, "name" | "summary"> & { readonly value: Table })[];
     readonly paints: readonly {
         readonly name: string;
         readonly title: string;

@@ -263,6 +263,13 @@ test("layers, films and pigments are added, moved, copied and removed by name", 
     await settled();
     assert.match((await saved("Save recipe")).text, /from = "chalk"/);
 
+    await page.getByRole("button", { name: "Add flakes" }).click();
+    await page.getByRole("option", { name: "Aluminium, silver dollar" }).click();
+    await settled();
+    assert.match((await saved("Save recipe")).text, /name = "aluminium, silver dollar"/i);
+    await page.getByRole("button", { name: /^Remove Flakes 2/ }).click();
+    await settled();
+
     const outer = "Material, Layer 1, Fe2O3 on SiO2 on aluminium, Fe2O3";
     await page.getByRole("button", { name: `${outer}: Fe2O3` }).click();
     await page

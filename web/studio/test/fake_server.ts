@@ -202,6 +202,7 @@ export const SCHEMA: Schema = {
     },
     materials: [{ name: "mica", summary: "", rgb: [0.5, 0.5, 0.5] }],
     pigments: [{ name: "chalk", summary: "", rgb: [1, 1, 1] }],
+    flakes: [{ name: "Pearl", summary: "", value: { name: "pearl", volume_fraction: 0.03 } }],
     paints: [{ name: "pearl", title: "Pearl", toml: 'name = "Pearl"' }],
     geometry_sets: [{ name: "byk-mac", geometries: ["45as15"] }],
     illuminants: ["D65"],

@@ -22,6 +22,7 @@ import { useStudio, useStudioState, useValueAt } from "../ui/context";
 import { useEntryKeys } from "../ui/entry_keys";
 import { focusSoon } from "../ui/focus";
 import { Icon, IconButton } from "../ui/icons";
+import type { Choice } from "../ui/picker";
 import { Picker } from "../ui/picker";
 import { steady } from "../ui/steady";
 import { FaultText, useFaultIn } from "./fault";
@@ -333,6 +334,7 @@ function toolOf(list: Path, i: number, icon: "up" | "down" | "remove"): string {
 }
 
 const OWN_PIGMENT = "own coefficients";
+const NEW_FLAKES = "new flakes";
 
 const AddEntry = steady(
     ({ path, at }: { readonly path: Path; readonly at: number }): VNode | null => {
@@ -348,25 +350,31 @@ const AddEntry = steady(
                 return insertEntry(document, path, at, made);
             });
         };
+        const pick = (choices: readonly Choice[], made: (name: string) => Value | undefined) => (
+            <Picker
+                class="add"
+                label={list === "pigment" ? "Add a pigment" : "Add flakes"}
+                text={list === "pigment" ? "+ Pigment" : "+ Flakes"}
+                chosen={null}
+                choices={choices}
+                onChoose={(name) => {
+                    insert(made(name));
+                }}
+            />
+        );
         if (list === "pigment") {
-            return (
-                <Picker
-                    class="add"
-                    label="Add a pigment"
-                    text="+ Pigment"
-                    chosen={null}
-                    choices={[
-                        ...schema.pigments,
-                        { name: OWN_PIGMENT, summary: "scattering and absorption", rgb: null },
-                    ]}
-                    onChoose={(name) => {
-                        insert(
-                            name === OWN_PIGMENT
-                                ? { scattering_per_mm: 10, absorption_per_mm: 10 }
-                                : { from: name, volume_fraction: 0.05 },
-                        );
-                    }}
-                />
+            const own = { name: OWN_PIGMENT, summary: "scattering and absorption", rgb: null };
+            return pick([...schema.pigments, own], (name) =>
+                name === OWN_PIGMENT
+                    ? { scattering_per_mm: 10, absorption_per_mm: 10 }
+                    : { from: name, volume_fraction: 0.05 },
+            );
+        }
+        if (list === "flakes") {
+            const made = { name: NEW_FLAKES, summary: "TiO2 on mica, to begin with" };
+            return pick(
+                [made, ...schema.flakes],
+                (name) => schema.flakes.find((known) => known.name === name)?.value,
             );
         }
         return (
