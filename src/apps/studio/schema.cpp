@@ -12,6 +12,7 @@
 #include "apps/studio/messages/stage.h"
 #include "nacre/core/csv.h"
 #include "nacre/core/error.h"
+#include "nacre/core/text.h"
 #include "nacre/core/version.h"
 #include "nacre/io/recipe_text.h"
 #include "nacre/measure/geometry.h"
@@ -262,9 +263,8 @@ Tree flakes_json(const Tree& paints) {
         }
         for (std::size_t i = 0; i < own.size(); ++i) {
             const std::string name = own[i]["value"].value("name", "");
-            own[i][own.size() == 1 ? "summary" : "name"] =
-                own.size() == 1 ? name : fmt::format("{}, flakes {}", title, i + 1);
-            if (own.size() > 1) own[i]["summary"] = name;
+            if (own.size() > 1) own[i]["name"] = fmt::format("{}, flakes {}", title, i + 1);
+            if (lowercase(name) != lowercase(title)) own[i]["summary"] = name;
             all.push_back(std::move(own[i]));
         }
     }

@@ -3,9 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <set>
-
 #include <cstring>
+#include <set>
 
 #include "apps/studio/messages/messages.h"
 #include "apps/studio/page_files.h"

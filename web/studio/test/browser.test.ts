@@ -264,7 +264,7 @@ test("layers, films and pigments are added, moved, copied and removed by name", 
     assert.match((await saved("Save recipe")).text, /from = "chalk"/);
 
     await page.getByRole("button", { name: "Add flakes" }).click();
-    await page.getByRole("option", { name: "Aluminium, silver dollar" }).click();
+    await page.getByRole("option", { name: /^Aluminium, silver dollar/ }).click();
     await settled();
     assert.match((await saved("Save recipe")).text, /name = "aluminium, silver dollar"/i);
     await page.getByRole("button", { name: /^Remove Flakes 2/ }).click();

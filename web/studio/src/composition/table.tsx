@@ -334,7 +334,7 @@ function toolOf(list: Path, i: number, icon: "up" | "down" | "remove"): string {
 }
 
 const OWN_PIGMENT = "own coefficients";
-const NEW_FLAKES = "new flakes";
+const NEW_FLAKES = "New flakes";
 
 const AddEntry = steady(
     ({ path, at }: { readonly path: Path; readonly at: number }): VNode | null => {
