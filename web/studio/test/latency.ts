@@ -12,8 +12,9 @@
 import assert from "node:assert/strict";
 import { loadavg } from "node:os";
 import { argv } from "node:process";
-import type { Page } from "playwright-core";
-import { launch, Program } from "./program";
+import { setTimeout as sleep } from "node:timers/promises";
+import { UnwatchedPage } from "./devtools";
+import { Program } from "./program";
 
 /** What the page tells, by the clock of the browser. */
 interface Clock {
@@ -144,29 +145,19 @@ function report(what: string, values: readonly number[]): void {
 type Times = "chips_ms" | "sent_ms" | "numbers_ms" | "begun_ms" | "pictures_ms";
 const TIMES: readonly Times[] = ["chips_ms", "sent_ms", "numbers_ms", "begun_ms", "pictures_ms"];
 
-/** Waits in the page, which is asked every millisecond: frames that nobody needs would take their time. */
-async function seen(page: Page, times: readonly Times[]): Promise<void> {
-    await page.evaluate(
-        (names) =>
-            new Promise<void>((resolve) => {
-                const look = () => {
-                    if (names.every((name) => window.clock[name].length > 0)) resolve();
-                    else setTimeout(look, 1);
-                };
-                look();
-            }),
-        times,
-    );
+/** Waits until all of them have been noted. */
+function seen(page: UnwatchedPage, times: readonly Times[]): Promise<void> {
+    return page.until((names) => names.every((name) => window.clock[name].length > 0), times);
 }
 
 /** @returns from the key to the chips, in ms */
-async function move(page: Page): Promise<number> {
+async function move(page: UnwatchedPage): Promise<number> {
     await page.evaluate((names) => {
         for (const name of names) window.clock[name].length = 0;
     }, TIMES);
-    await page.keyboard.press("ArrowRight");
+    await page.pressRight();
     await seen(page, ["chips_ms"]);
-    return page.evaluate(() => window.clock.chips_ms[0] as number);
+    return page.evaluate(() => window.clock.chips_ms[0] as number, null);
 }
 
 /** From the key, in ms. */
@@ -177,7 +168,7 @@ interface FirstPicture {
     drawn_ms: number;
 }
 
-async function firstPicture(page: Page): Promise<FirstPicture> {
+async function firstPicture(page: UnwatchedPage): Promise<FirstPicture> {
     await seen(page, ["numbers_ms", "pictures_ms"]);
     return page.evaluate(() => {
         const { sent_ms, numbers_ms, begun_ms, pictures_ms } = window.clock;
@@ -188,18 +179,22 @@ async function firstPicture(page: Page): Promise<FirstPicture> {
             begun_ms: first(begun_ms),
             drawn_ms: first(pictures_ms),
         };
-    });
+    }, null);
 }
 
 /** Each after all of the one before was seen, or at once on its chips. */
-async function moves(page: Page, count: number, key: string): Promise<void> {
-    await page.focus(`[data-key='${key}'] input[type=range]`);
+async function moves(page: UnwatchedPage, count: number, key: string): Promise<void> {
+    await page.evaluate((slider) => {
+        const found = document.querySelector<HTMLInputElement>(slider);
+        if (found === null) throw new Error(`${slider}: the page has no such slider`);
+        found.focus();
+    }, `[data-key='${key}'] input[type=range]`);
     const chips: number[] = [];
     const pictures: FirstPicture[] = [];
     for (let i = 0; i < count; ++i) {
         chips.push(await move(page));
         pictures.push(await firstPicture(page));
-        await page.waitForTimeout(120 + 100 * Math.random());
+        await sleep(120 + 100 * Math.random());
     }
     report("from a key to its chips", chips);
     const steps: [keyof FirstPicture, string][] = [
@@ -219,21 +214,24 @@ async function moves(page: Page, count: number, key: string): Promise<void> {
     report("from a key to its chips, moves at once upon chips", atOnce);
 }
 
-async function frames(page: Page, count: number): Promise<void> {
-    const box = await page.locator("canvas.live").boundingBox();
-    assert.ok(box);
+async function frames(page: UnwatchedPage, count: number): Promise<void> {
+    const box = await page.evaluate(() => {
+        const { x, y, width, height } = (
+            document.querySelector("canvas.live") as Element
+        ).getBoundingClientRect();
+        return { x, y, width, height };
+    }, null);
     const middle = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
-    await page.mouse.move(middle.x, middle.y);
-    await page.mouse.down();
+    await page.mouse("mousePressed", middle.x, middle.y);
     await page.evaluate(() => {
         window.clock.frames_ms.length = 0;
-    });
+    }, null);
     for (let i = 0; i < 4 * count; ++i) {
-        await page.mouse.move(middle.x + 60 * Math.sin(i / 20), middle.y);
-        await page.waitForTimeout(8);
+        await page.mouse("mouseMoved", middle.x + 60 * Math.sin(i / 20), middle.y);
+        await sleep(8);
     }
-    await page.mouse.up();
-    const drawn = await page.evaluate(() => window.clock.frames_ms);
+    await page.mouse("mouseReleased", middle.x, middle.y);
+    const drawn = await page.evaluate(() => window.clock.frames_ms, null);
     report(
         `between frames of ${box.width.toFixed(0)} x ${box.height.toFixed(0)} pixels as the ball is turned`,
         drawn.slice(1).map((at_ms, i) => at_ms - (drawn[i] as number)),
@@ -248,25 +246,22 @@ if (!(Number.isInteger(count) && count > 0))
 const [width = NaN, height = NaN] = size.split("x").map(Number);
 if (!(width >= 600 && height >= 400)) throw new Error("WIDTHxHEIGHT: must be 600x400 at least");
 const program = await Program.start(paint);
-const browser = await launch(true);
+const page = await UnwatchedPage.open(width, height);
 try {
-    const page = await browser.newPage({ viewport: { width, height } });
-    page.setDefaultTimeout(900_000); // what never comes is a failure, however slow the machine
-    await page.addInitScript(watchDrawing);
-    await page.goto(program.url);
-    await page.waitForSelector(".chips[data-current=true]");
-    await page.waitForFunction(() => window.clock.frames_ms.length > 0);
+    await page.goto(program.url, watchDrawing);
+    await page.until(() => document.querySelector(".chips[data-current=true]") !== null, null);
+    await page.until(() => window.clock.frames_ms.length > 0, null);
     const renderer = await page.evaluate(() => {
         const gl = document.createElement("canvas").getContext("webgl2");
         const told = gl?.getExtension("WEBGL_debug_renderer_info");
         return told ? String(gl?.getParameter(told.UNMASKED_RENDERER_WEBGL)) : "not told";
-    });
+    }, null);
     console.log(`drawn by ${renderer}`);
-    await page.waitForTimeout(2000); // shaders are compiled, the first pictures drawn
+    await sleep(2000); // shaders are compiled, the first pictures drawn
     await moves(page, count, key);
     await frames(page, count);
     console.log(`load ${(loadavg()[0] as number).toFixed(1)}`);
 } finally {
-    await browser.close();
+    await page.close();
     await program.end();
 }

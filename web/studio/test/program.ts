@@ -41,15 +41,18 @@ export class Program {
     }
 }
 
+export const CHROMIUM = "/usr/bin/chromium";
+
 /**
- * Debian's Chromium as it is without a graphics card: it draws the page itself, and WebGL 2 by SwiftShader, on
+ * For Debian's Chromium as it is without a graphics card: it draws the page itself, and WebGL 2 by SwiftShader, on
  * the same processor, where this flag allows it. NACRE_WEBGL has other flags: a card that Vulkan knows takes
  * "--use-angle=vulkan --enable-features=Vulkan --disable-vulkan-surface --ignore-gpu-blocklist".
  */
+export function flags(webgl: boolean): string[] {
+    const drawing = env.NACRE_WEBGL ?? "--enable-unsafe-swiftshader";
+    return ["--no-sandbox", ...(webgl ? drawing.split(" ") : ["--disable-3d-apis"])];
+}
+
 export function launch(webgl = true): Promise<Browser> {
-    const flags = env.NACRE_WEBGL ?? "--enable-unsafe-swiftshader";
-    return chromium.launch({
-        executablePath: "/usr/bin/chromium",
-        args: ["--no-sandbox", ...(webgl ? flags.split(" ") : ["--disable-3d-apis"])],
-    });
+    return chromium.launch({ executablePath: CHROMIUM, args: flags(webgl) });
 }

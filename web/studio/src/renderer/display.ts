@@ -122,11 +122,10 @@ export class Display {
      * @param warn    marks colours that the display cannot show
      */
     draw(whole: Sums, mean: Sums | null, coarse: Sums | null, warn: boolean): void {
-        const hasMean = mean !== null && mean.samples > 0;
         let shown: Shown = "whole";
-        if (hasMean && whole.samples < ENOUGH) shown = whole.begun ? "both" : "coarse";
+        if (mean !== null && whole.samples < ENOUGH) shown = whole.begun ? "both" : "coarse";
         let glitter = this.even;
-        if (hasMean && shown !== "whole") {
+        if (mean !== null && shown !== "whole") {
             this.smoothed(mean);
             if (this.glitters && this.before !== null && coarse !== null)
                 glitter = this.glitterOf(this.before, coarse);

@@ -13,7 +13,7 @@ import type { Stratum } from "./flakes";
 import { flakeValues, restMatrix, sampleOf } from "./flakes";
 import { lightValues } from "./lights";
 import type { Light, Mesh, PaintFilms, PaintShader, Transform } from "./paint";
-import { Pace, REST_MS, whenDrawn } from "./pace";
+import { BUSY_MS, Pace, REST_MS, whenDrawn } from "./pace";
 import { uniformValues, withFilms } from "./paint";
 import { clear, filled, Pass, rendererOn } from "./pass";
 import { EVERYWHERE, MOST_RECTANGLES, shading } from "./passes";
@@ -56,6 +56,15 @@ const MOST_COARSE = 10;
 /** Of a sample with flakes, over one that does not, where processors draw. */
 const COST_OF_FLAKES = 6;
 const MOST_SAMPLES = 1024;
+/** Between frames that show a part of a sample: to be shown takes processors as long as to be drawn. */
+const SHOWN_MS = 100;
+
+/** What a frame has added. */
+interface Drawn {
+    readonly sums: Sums;
+    /** Samples of pixels, as costly as such without flakes. */
+    readonly work: number;
+}
 
 /** Draws where WebGL 2 can draw into floats; else its constructor throws an Error that says what lacks. */
 export class LiveView {
@@ -93,7 +102,11 @@ export class LiveView {
     private filmsWanted = false;
     /** Until then what is there is not refined. */
     private restsUntil = 0;
+    /** Until then the next move is likely, and frames are short. */
+    private busyUntil = 0;
     private dirty = false;
+    /** When the last frame was shown. */
+    private shownAt = 0;
     private stopped = false;
     private held = false;
     private lost = false;
@@ -299,22 +312,36 @@ export class LiveView {
             else if (!this.held) this.scheduleAt(this.restsUntil);
             return;
         }
-        const work = this.draw();
-        if (work > 0 || this.dirty) {
+        const drawn = this.draw();
+        const shown = this.dirty || (drawn !== null && this.shows(drawn.sums, begun));
+        if (shown) {
             this.display();
             this.dirty = false;
+            this.shownAt = begun;
             this.options.onChange?.(this.state);
         }
-        if (work > 0) this.waitUntilDrawn(begun, work);
+        if (drawn !== null) this.waitUntilDrawn(begun, drawn.work, shown);
         else if (this.nextPaint !== null) this.schedule();
     }
 
+    /**
+     * Whether what was added to a picture is shown with this frame: what ends a sample of it at once, strips
+     * that can be seen now and then.
+     */
+    private shows(sums: Sums, now: number): boolean {
+        if (sums === this.coarse || sums.rows === 0) return true;
+        const seen = this.mean === null || sums.samples + 1 >= ENOUGH;
+        return sums === this.whole && seen && now - this.shownAt >= SHOWN_MS;
+    }
+
     /** Until the graphics processor has drawn a frame, which tells how fast it is. */
-    private waitUntilDrawn(begun: number, work: number): void {
+    private waitUntilDrawn(begun: number, work: number, shown: boolean): void {
         this.underWay = whenDrawn(this.renderer.getContext() as WebGL2RenderingContext, () => {
             this.underWay = false;
-            this.pace.drawn(performance.now() - begun, work);
-            this.schedule();
+            this.pace.drawn(performance.now() - begun, work, shown);
+            // Of what is not shown the screen's next frame need not be waited for.
+            if (shown || this.stopped || this.lost) this.schedule();
+            else this.attempt();
         });
     }
 
@@ -346,13 +373,13 @@ export class LiveView {
         pass.set(Object.fromEntries(this.paintTextures));
     }
 
-    /** As many samples as there is time for in a frame. @returns how many of one pixel */
-    private draw(): number {
+    /** As many samples as there is time for in a frame. */
+    private draw(): Drawn | null {
         const { whole } = this;
-        if (!whole || !this.transform || !this.light || !this.camera || !this.paint) return 0;
-        if (!this.shape.ready() || !this.shown.ready()) return 0;
+        if (!whole || !this.transform || !this.light || !this.camera || !this.paint) return null;
+        if (!this.shape.ready() || !this.shown.ready()) return null;
         const pixels = whole.target.width * whole.target.height;
-        const { budget, moving } = this.pace.budgets();
+        const { budget, moving, strip } = this.pace.budgets(performance.now() < this.busyUntil);
         // One sample shows a part of a pixel's flakes, which glitter more than all of them.
         const { sampled } = sampleOf(0, this.showsFlakesIn(whole));
         const least = sampled ? ENOUGH * COST_OF_FLAKES * pixels : pixels;
@@ -371,7 +398,10 @@ export class LiveView {
             const wanted = Math.ceil(Math.sqrt(pixels / moving));
             const coarse = this.coarseOf(Math.min(Math.max(wanted, LEAST_COARSE), MOST_COARSE));
             if (coarse.samples === 0) {
-                if (pixels > budget) this.restsUntil = performance.now() + REST_MS;
+                if (pixels > budget) {
+                    this.restsUntil = performance.now() + REST_MS;
+                    this.busyUntil = this.restsUntil + BUSY_MS;
+                }
                 // Of every pixel: without its last rows there would be nothing to see.
                 const all = coarse.target.width * coarse.target.height;
                 return this.add(coarse, Math.max(all, Math.min(moving, COARSE_SAMPLES * all)));
@@ -384,18 +414,24 @@ export class LiveView {
             coarse.samples < Math.min(COARSE_SAMPLES, this.mostSamples) &&
             whole.samples === 0
         ) {
-            return this.add(coarse, budget);
+            return this.add(coarse, strip);
         }
         if (sampled && !whole.begun && !this.isFine) {
             this.fine ??= this.make(1);
-            return this.add(this.fine, Math.min(budget, this.fine.left));
+            return this.add(this.fine, Math.min(strip, this.fine.left));
         }
-        return awaited ? 0 : this.add(whole, budget);
+        return awaited ? null : this.add(whole, strip);
     }
 
     /** Whether the mean is there in every pixel, of a picture whose flakes take longer. */
     private get isFine(): boolean {
         return this.fine !== null && this.fine.samples > 0;
+    }
+
+    /** Which is shown until the whole picture has samples enough. */
+    private get mean(): Sums | null {
+        const mean = this.isFine ? this.fine : this.coarse;
+        return mean !== null && mean.samples > 0 ? mean : null;
     }
 
     /** Other pictures' pixels are others, or are seen before flakes are: they show the mean. */
@@ -423,7 +459,8 @@ export class LiveView {
         return new Sums(this.renderer, width, height, this.sumType);
     }
 
-    private add(sums: Sums, budget: number): number {
+    /** @param budget  samples of pixels */
+    private add(sums: Sums, budget: number): Drawn | null {
         const { width, height } = sums.target;
         if (sums.samples === 0 && sums.rows === 0) clear(this.renderer, sums.target);
         let work = 0;
@@ -441,7 +478,7 @@ export class LiveView {
             work += rows * cost;
             sums.added(rows);
         }
-        return work;
+        return work > 0 ? { sums, work } : null;
     }
 
     private drawShape(sums: Sums, eye: Eye, shift: readonly [number, number]): void {
@@ -483,7 +520,6 @@ export class LiveView {
 
     private display(): void {
         if (!this.whole || !this.shown.ready()) return;
-        const mean = this.isFine ? this.fine : this.coarse;
-        this.shown.draw(this.whole, mean, this.coarse, this.warn);
+        this.shown.draw(this.whole, this.mean, this.coarse, this.warn);
     }
 }

@@ -16,9 +16,13 @@ const LEAST_WORK = 4096;
  * the next move may be on its way.
  */
 export const REST_MS = 200;
+/** So long from then on frames are as short as after a move: the next one waits for the end of the one under way. */
+export const BUSY_MS = 500;
 
 /** Between looks whether a frame has been drawn. */
 const POLL_MS = 2;
+/** What a frame that is not shown takes whatever is drawn: browsers make timers that follow each other wait for 4 ms. */
+const UNSEEN_MS = 4;
 
 /**
  * Calls back when the graphics processor has drawn what it was told.
@@ -46,23 +50,33 @@ export class Pace {
     frame_ms = 0;
     /** Samples of pixels per millisecond of drawing. */
     private speed = 2000;
-    /** What a frame takes whatever is drawn: the shortest yet. */
+    /** What a frame that is shown takes whatever is drawn: the shortest yet. */
     private overhead_ms = 16;
 
-    /** @returns samples of pixels, in any frame and in the one that follows a move */
-    budgets(): { budget: number; moving: number } {
-        const { frame_ms, moving_ms } = this.overhead_ms < CARD_MS ? BY_CARD : BY_PROCESSOR;
+    /**
+     * @param busy  moves follow each other
+     * @returns samples of pixels, in any frame, in the one that follows a move and in one that adds to a picture
+     */
+    budgets(busy: boolean): { budget: number; moving: number; strip: number } {
+        const by = this.overhead_ms < CARD_MS ? BY_CARD : BY_PROCESSOR;
+        const budget = Math.max(by.frame_ms * this.speed, LEAST_WORK);
         return {
-            budget: Math.max(frame_ms * this.speed, LEAST_WORK),
-            moving: moving_ms * this.speed,
+            budget,
+            moving: by.moving_ms * this.speed,
+            strip: busy ? by.moving_ms * this.speed : budget,
         };
     }
 
-    /** @param work  samples of pixels of the frame that was drawn */
-    drawn(frame_ms: number, work: number): void {
+    /**
+     * @param work   samples of pixels of the frame that was drawn
+     * @param shown  whether it was for the screen as well
+     */
+    drawn(frame_ms: number, work: number, shown: boolean): void {
         this.frame_ms = frame_ms;
-        this.overhead_ms = Math.min(this.overhead_ms, frame_ms);
-        const drawing_ms = Math.max(frame_ms - this.overhead_ms, 1);
-        this.speed = 0.5 * this.speed + (0.5 * work) / drawing_ms;
+        if (shown) this.overhead_ms = Math.min(this.overhead_ms, frame_ms);
+        const drawing_ms = Math.max(frame_ms - (shown ? this.overhead_ms : UNSEEN_MS), 1);
+        // Rows of background take next to nothing: those that follow must not come all at once.
+        const speed = Math.min(work / drawing_ms, 1.5 * this.speed);
+        this.speed = 0.5 * (this.speed + speed);
     }
 }
