@@ -133,6 +133,25 @@ TEST(StudioSchema, HasEveryKeyOfTheDescription) {
               described_keys<paint::MicrofacetFacets>());
 }
 
+// Else a slider of an index would go from -5 to 5.
+TEST(StudioSchema, SaysTheRangeOfAnIndexInPlaceOfAMaterial) {
+    const Tree schema = recipe_schema();
+    const auto key_of = [&](const char* table, const char* name) {
+        const Tree& keys = table_of(schema, table)["keys"];
+        const auto key =
+            std::ranges::find_if(keys, [&](const Tree& k) { return k["key"] == name; });
+        return key == keys.end() ? Tree() : *key;
+    };
+    const Tree binder = key_of("", "ior");
+    EXPECT_EQ(binder["kind"], "material");
+    EXPECT_EQ(binder["min"], 1);
+    EXPECT_EQ(binder["max"], 3);
+    const Tree film = key_of("layer[].flakes[].coats[]", "material");
+    EXPECT_EQ(film["min"], 0);
+    EXPECT_EQ(film["min_excluded"], true);
+    EXPECT_EQ(film["max"], 1000);
+}
+
 TEST(StudioSchema, SaysRangesAndAlternatives) {
     const Tree schema = recipe_schema();
     const Tree& flakes = table_of(schema, "layer[].flakes[]");

@@ -18,6 +18,7 @@
 #include "nacre/measure/geometry.h"
 #include "nacre/models/models.h"
 #include "nacre/nacre.h"
+#include "nacre/optics/material.h"
 #include "nacre/paint/recipe_description.h"
 
 namespace nacre::studio {
@@ -74,6 +75,9 @@ class TableVisitor final : public paint::Visitor {
     }
     void material(const paint::Field& field, optics::Material&) override {
         Tree& key = add(field, "material");
+        // Of an index that stands in place of a name.
+        tell_range(key,
+                   std::isfinite(field.range.lo) ? field.range : optics::kRefractiveIndexRange);
         key["choices"] = "materials";
         if (field.real) key["transparent"] = true;
     }
@@ -130,6 +134,13 @@ class TableVisitor final : public paint::Visitor {
         return name.empty() ? "recipe" : name;
     }
 
+    static void tell_range(Tree& key, const Range& range) {
+        key["min"] = number_or_null(range.lo);
+        key["max"] = number_or_null(range.hi);
+        key["min_excluded"] = range.lo_open;
+        key["max_excluded"] = range.hi_open;
+    }
+
     Tree* find(const paint::Field& field) {
         const auto found =
             std::ranges::find_if(keys_, [&](const Tree& key) { return key["key"] == field.key; });
@@ -147,10 +158,7 @@ class TableVisitor final : public paint::Visitor {
                     {"doc", field.meaning},
                     {"required", field.required}};
         if (number) {
-            key["min"] = number_or_null(range.lo);
-            key["max"] = number_or_null(range.hi);
-            key["min_excluded"] = range.lo_open;
-            key["max_excluded"] = range.hi_open;
+            tell_range(key, range);
             key["log"] = range.lo >= 0 && range.hi > kLogarithmicRatio * std::max(range.lo, 1.0);
             if (field.typical) key["typical"] = *field.typical;
             if (field.zero) key["zero"] = field.zero;
