@@ -17,7 +17,7 @@ import {
     settled,
     studio,
 } from "./harness";
-import { Program } from "./program";
+import { nacre, Program } from "./program";
 
 begin(false);
 
@@ -119,6 +119,112 @@ function hdr(width: number, height: number): Buffer {
     const head = `#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y ${String(height)} +X ${String(width)}\n`;
     return Buffer.concat([Buffer.from(head), Buffer.alloc(4 * width * height, 0x80)]);
 }
+
+const CORNERS = [
+    [0, 0, 0],
+    [40, 0, 0],
+    [40, 30, 20],
+    [0, 30, 20],
+] as const;
+const TRIANGLES = [
+    [0, 1, 2],
+    [0, 2, 3],
+] as const;
+
+function ply(): string {
+    const head = `ply
+format ascii 1.0
+element vertex 4
+property float x
+property float y
+property float z
+element face 2
+property list uchar int vertex_indices
+end_header`;
+    const rows = [...CORNERS, ...TRIANGLES.map((corners) => [3, ...corners])];
+    return `${[head, ...rows.map((row) => row.join(" "))].join("\n")}\n`;
+}
+
+function stl(): string {
+    const facets = TRIANGLES.map((corners) => {
+        const vertices = corners.map((corner) => `vertex ${CORNERS[corner].join(" ")}`);
+        return ["facet normal 0 0 0", "outer loop", ...vertices, "endloop", "endfacet"].join("\n");
+    });
+    return `${["solid roof", ...facets, "endsolid roof"].join("\n")}\n`;
+}
+
+/** In metres, as glTF is. */
+function glb(): Buffer {
+    const places = Buffer.from(Float32Array.from(CORNERS.flat(), (mm) => 1e-3 * mm).buffer);
+    const corners = Buffer.from(Uint32Array.from(TRIANGLES.flat()).buffer);
+    const numbers = Buffer.concat([places, corners]);
+    const json = JSON.stringify({
+        asset: { version: "2.0" },
+        scene: 0,
+        scenes: [{ nodes: [0] }],
+        nodes: [{ mesh: 0 }],
+        meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }],
+        buffers: [{ byteLength: numbers.length }],
+        bufferViews: [
+            { buffer: 0, byteOffset: 0, byteLength: places.length },
+            { buffer: 0, byteOffset: places.length, byteLength: corners.length },
+        ],
+        accessors: [
+            {
+                bufferView: 0,
+                componentType: 5126,
+                count: CORNERS.length,
+                type: "VEC3",
+                min: [0, 0, 0],
+                max: [0.04, 0.03, 0.02],
+            },
+            { bufferView: 1, componentType: 5125, count: corners.length / 4, type: "SCALAR" },
+        ],
+    });
+    const chunk = (type: string, data: Buffer) => {
+        const head = Buffer.alloc(8);
+        head.writeUInt32LE(data.length, 0);
+        head.write(type, 4, "latin1");
+        return Buffer.concat([head, data]);
+    };
+    const chunks = [
+        chunk("JSON", Buffer.from(json.padEnd(4 * Math.ceil(json.length / 4)))),
+        chunk("BIN\0", numbers),
+    ];
+    const head = Buffer.alloc(12);
+    head.write("glTF", 0, "latin1");
+    head.writeUInt32LE(2, 4);
+    head.writeUInt32LE(12 + chunks.reduce((sum, { length }) => sum + length, 0), 8);
+    return Buffer.concat([head, ...chunks]);
+}
+
+test("own meshes are also PLY, STL and GLB, own lights OpenEXR", async () => {
+    const path = (name: string) => join(folder, name);
+    await writeFile(path("roof.ply"), ply());
+    await writeFile(path("roof.stl"), stl());
+    await writeFile(path("roof.glb"), glb());
+    await nacre(
+        "render",
+        "sphere",
+        "--paint",
+        "red-gold",
+        "--size",
+        "64x32",
+        "--spp",
+        "1",
+        "-o",
+        path("sky.exr"),
+    );
+    await open();
+    for (const [i, file] of ["roof.ply", "roof.stl", "roof.glb"].entries()) {
+        await page.setInputFiles("[aria-label='Own mesh']", path(file));
+        await notice(new RegExp(`${file}: 2 triangles, 40 mm, shown as 200 mm`));
+        assert.equal(await page.inputValue("[aria-label='Shape']"), `own-shape-${String(i + 1)}`);
+    }
+    await page.setInputFiles("[aria-label='Own HDR']", path("sky.exr"));
+    await notice(/sky\.exr: 64 x 32 pixels/);
+    assert.match(await page.inputValue("[aria-label='Light']"), /^own-light-/);
+});
 
 test("a mesh and a light of the reader's own are shown, and what cannot be is said", async () => {
     const path = (name: string) => join(folder, name);
