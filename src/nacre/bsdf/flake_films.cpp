@@ -1,6 +1,7 @@
 #include "nacre/bsdf/flake_films.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "nacre/core/error.h"
@@ -94,6 +95,7 @@ FlakeFilms::FlakeFilms(const optics::Platelet& platelet, const optics::Material&
             r = mean[v] > 0 ? static_cast<float>(r / mean[v]) : 1.0f;
         }
     }
+    alike_ = std::ranges::all_of(ratio_, [](float r) { return std::abs(r - 1) < kAlike; });
 }
 
 std::shared_ptr<const FlakeFilms> flake_films(const optics::Platelet& platelet,

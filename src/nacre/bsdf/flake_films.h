@@ -49,6 +49,8 @@ class FlakeFilms {
     static constexpr int kOneFilmSet = 64, kManyFilmsSet = 256;
     static constexpr double kOneFilmError = 0.01, kManyFilmsError = 0.06;
     static constexpr int kCosineIntervals = 64;
+    /// Ratios that differ from 1 by less make no flake brighter than another.
+    static constexpr float kAlike = 1e-5f;
 
     /// Whether any film varies: otherwise all flakes are equal and there is nothing to tabulate.
     static bool vary(const optics::Platelet& platelet);
@@ -66,6 +68,10 @@ class FlakeFilms {
     double min_cosine() const { return min_cosine_; }
     int cosine_intervals() const { return intervals_; }
 
+    /// Whether flakes reflect alike although their films vary, as they do where the core is opaque and
+    /// the varying one, or lies under it.
+    bool alike() const { return alike_; }
+
     BoundFlakeFilms bind(const std::array<WavelengthPosition, kLanes>& where) const;
 
  private:
@@ -74,6 +80,7 @@ class FlakeFilms {
     std::size_t stride_;  // of a row by wavelength, whose last value is stored twice
     double min_cosine_;
     std::vector<float> ratio_;  // [set][cosine][wavelength]
+    bool alike_;
 };
 
 /// FlakeFilms of these. The last few are kept, 64 MiB in all, for callers that show one paint in several

@@ -133,5 +133,18 @@ TEST(FlakeFilms, EachFilmTakesEachQuantileOfItsLawOnce) {
     EXPECT_FALSE(FlakeFilms::vary(pearl({}, {})));
 }
 
+// The thickness of an opaque core shows nowhere, that of its coat or of a translucent core does.
+TEST(FlakeFilms, OpaqueCoresOfAnyThicknessAreAlike) {
+    const auto alike = [](double core_nm, optics::ThicknessSpread oxide) {
+        optics::Platelet platelet;
+        platelet.core = {optics::find_material("Al"), core_nm, {0.15 * core_nm}};
+        platelet.coats = {{optics::find_material("Al2O3"), 10, oxide}};
+        return FlakeFilms(platelet, optics::Material(1.5), kGrid, 0.7).alike();
+    };
+    EXPECT_TRUE(alike(400, {}));
+    EXPECT_FALSE(alike(400, {3}));
+    EXPECT_FALSE(alike(20, {}));
+}
+
 }  // namespace
 }  // namespace nacre::bsdf

@@ -113,6 +113,7 @@ SpeciesFilms species_films(const solver::SolvedPaint& paint, const FlakeFilmGrid
                             : flake_films(*platelet, recipe.binder, grid.wavelengths_nm,
                                           min_half_cosine(mean_ior(paint.medium)), work,
                                           grid.cosine_intervals);
+                if (films && films->alike()) films = nullptr;
             }
             known.push_back(&flake);
             all.push_back(std::move(films));
