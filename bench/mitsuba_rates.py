@@ -2,7 +2,8 @@
 """How many samples a second Mitsuba takes of a painted ball, beside its own rough conductor.
 
     PYTHONPATH=build/python build/python-tools/bin/python bench/mitsuba_rates.py
-        [--variant llvm_ad_spectral] [--spp 64] [--size 512] [--runs 5] [--pictures FOLDER]
+        [--paint metallic-silver] [--variant llvm_ad_spectral] [--spp 64] [--size 512] [--runs 5]
+        [--pictures FOLDER]
 
 The ball fills 30 % of the picture and lies under a lamp and an even sky. Printed is the median of
 the runs, after one that compiles; the fastest and the slowest say how busy the machine was.
@@ -19,8 +20,6 @@ from typing import Any
 import drjit as dr
 import mitsuba as mi
 import nacre.mitsuba
-
-PAINT = {"type": "nacre", "recipe": "metallic-silver"}
 
 
 def ball(bsdf: dict[str, Any], size: int, spp: int) -> Any:
@@ -56,6 +55,7 @@ def seconds(scene: Any, spp: int, seed: int) -> float:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    parser.add_argument("--paint", default="metallic-silver")
     parser.add_argument("--variant", default="llvm_ad_spectral")
     parser.add_argument("--spp", type=int, default=64)
     parser.add_argument("--size", type=int, default=512)
@@ -64,11 +64,12 @@ def main() -> None:
     options = parser.parse_args()
     mi.set_variant(options.variant)
 
+    paint = {"type": "nacre", "recipe": options.paint}
     surfaces = {
         "rough conductor": {"type": "roughconductor", "material": "Al", "alpha": 0.2},
-        "microflake": {**PAINT, "model": "microflake"},
-        "nacre, mean": PAINT,
-        "nacre, single flakes": PAINT,
+        "microflake": {**paint, "model": "microflake"},
+        "nacre, mean": paint,
+        "nacre, single flakes": paint,
     }
     samples = options.size**2 * options.spp
     print(f"{'Msamples/s':22}  median  slowest  fastest  first run, s")

@@ -15,7 +15,6 @@ import mitsuba as mi
 
 from ._bands import Float
 from ._bits import (
-    GOLDEN,
     SHORT_GOLDEN,
     first_bit,
     gaussian_slopes,
@@ -32,7 +31,9 @@ from ._patch import Axis, Footprint, Outline, Plane, planes_of
 BATCH = 4
 """Flakes of a cell that are looked at together; it has up to four on average."""
 KEPT = 16
-"""Batches that are kept until their flakes are asked, which are a bit each of 64."""
+"""Batches of a round, which are kept until their flakes are asked; these are a bit each of 64."""
+ROUNDS = 3
+"""Of batches that are kept from one pair of directions to the next."""
 ABREAST = 2
 """Flakes that are considered together, as processors work on several chains of operations."""
 NO_PLANE = 3
@@ -98,7 +99,7 @@ class Cells:
             level = dr.select((level == n) & (levels.weight[n] <= 0), n + 1, level)
         self.first_place: Place = level, mi.Int32(0), mi.Int32(0), mi.Int32(0)
         self.seen = active & (levels.resolved > 0)
-        self.first: Round | None = None
+        self.known: list[Round] = []
 
     # Choices
 
@@ -168,8 +169,7 @@ class Cells:
     def _enter(self, plane: Plane, at: Place) -> Batch:
         field = self.field
         level, u, v, first = at
-        key = self._of(level, [mi.UInt64(k) for k in field.key])
-        key = u64(key + u64(mi.UInt64(plane.side) * mi.UInt64(GOLDEN)))
+        key = u64(self._of(level, [mi.UInt64(k) for k in field.key]) + plane.key)
         shift = 2 * level
         cell_u, cell_v = (plane.u.first >> shift) + u, (plane.v.first >> shift) + v
         key = mix_bits(key ^ (u64(mi.UInt64(_bits(cell_v)) << 32) | mi.UInt64(_bits(cell_u))))
@@ -177,7 +177,7 @@ class Cells:
         draw = unit_float(high_key)
         number = mi.Int32(0)
         for bound in field.cumulative:
-            number += dr.select(draw >= bound, mi.Int32(1), mi.Int32(0))
+            number = dr.select(draw >= bound, number + 1, number)
         finest = field.cell_mm[0]
         size = mi.Float(mi.Int32(1) << shift) * finest
 
@@ -248,10 +248,10 @@ class Cells:
             total=mi.Float(0),
         )
 
-    def _collect(self, before: Round) -> Round:
-        """The next batches, of one plane."""
+    def _collect(self, before: Round, wanted: Any) -> Round:
+        """The next batches, of one plane; none where they are not wanted."""
         plane = self._plane(before.next_plane)
-        more = before.next_plane < NO_PLANE
+        more = wanted & (before.next_plane < NO_PLANE)
 
         def look(at: Place, count: Any, kept: Round) -> Any:
             batch = self._enter(plane, at)
@@ -295,31 +295,37 @@ class Cells:
     def _each_round(self, use: Callable[[Round, Any], Any], state: Any) -> tuple[Any, Float]:
         """state = use(round, state) for all rounds, and the sum of the weights of all flakes.
 
-        The first round, for most patches the only one, is kept for who asks next.
+        The first rounds, for most patches the only ones, are kept for who asks next.
         """
 
         def go_on(found: Round) -> Any:
             return (found.next_plane < NO_PLANE) | (found.flakes != 0)
 
-        if self.first is not None:
+        if self.known:
+            known = self.known
 
-            def next_round(found: Round, state: Any) -> Any:
+            def next_round(found: Round, n: Any, state: Any) -> Any:
                 state = use(found, state)
-                return self._collect(found), state
+                n = n + 1
+                found = self._collect(found, n >= ROUNDS)
+                for k in range(1, ROUNDS):
+                    found = dr.select(n == k, known[k], found)
+                return found, n, state
 
-            found, state = dr.while_loop(
-                (self.first, state), lambda found, _: go_on(found), next_round
+            found, _, state = dr.while_loop(
+                (known[0], mi.UInt32(0), state), lambda found, n, _: go_on(found), next_round
             )
             return state, found.total
 
-        def next_of_all(found: Round, first: Round, is_first: Any, state: Any) -> Any:
+        def next_of_all(found: Round, known: list[Round], n: Any, state: Any) -> Any:
             state = use(found, state)
-            found = self._collect(found)
-            return found, dr.select(is_first, found, first), mi.Bool(False), state
+            found = self._collect(found, mi.Bool(True))
+            known = [dr.select(n == k, found, r) for k, r in enumerate(known)]
+            return found, known, n + 1, state
 
-        found, self.first, _, state = dr.while_loop(
-            (self._start(), self._start(), mi.Bool(True), state),
-            lambda found, first, is_first, state: go_on(found),
+        found, self.known, _, state = dr.while_loop(
+            (self._start(), [self._start() for _ in range(ROUNDS)], mi.UInt32(0), state),
+            lambda found, known, n, state: go_on(found),
             next_of_all,
         )
         return state, found.total

@@ -12,7 +12,7 @@ import drjit as dr
 import mitsuba as mi
 
 from ._bands import Float
-from ._bits import no
+from ._bits import GOLDEN, no
 
 MAX_STRETCH = 1.5811388
 """kMaxStretch: flakes per area of a plane of cells over flakes per area of the surface."""
@@ -160,7 +160,8 @@ class Axis:
 class Plane:
     """A plane of cells as a patch sees it: FlakePlane."""
 
-    side: Any
+    key: Any
+    """Of its cells, beside that of a level."""
     fraction: Float
     """Of the flakes; 0 where the plane gives none."""
     kept: Float
@@ -182,10 +183,13 @@ class Plane:
             step = mi.Vector2f(t[i] - shear * t[axis], b[i] - shear * b[axis])
             return Axis.through(patch.position_mm[i], half, step, cell_mm)
 
+        def side_key(side: int) -> Any:
+            return mi.UInt64(side * GOLDEN % 2**64)
+
         first = (axis + 1) % 3
         turn = dr.normalize(mi.Vector2f(t[first], b[first]))
         return Plane(
-            mi.UInt32(2 * axis) + dr.select(n[axis] < 0, mi.UInt32(1), mi.UInt32(0)),
+            dr.select(n[axis] < 0, side_key(2 * axis + 1), side_key(2 * axis)),
             fraction,
             fraction * dr.abs(1 / across) * (65536 / MAX_STRETCH),
             make(first),
