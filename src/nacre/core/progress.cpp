@@ -48,7 +48,7 @@ bool SharedProgress::keep_going() {
     if (!progress_ || stopped_) return !stopped_;
     // Loops ask once a sample. The coarse clock, of a few milliseconds, costs a tenth of the fine
     // one, and a lock is taken only where the time has come for this thread.
-    constexpr std::int64_t kInterval_ms = 50;
+    constexpr std::int64_t kInterval_ms = 5;
     timespec now{};
     clock_gettime(CLOCK_MONOTONIC_COARSE, &now);
     const std::int64_t now_ms = 1000 * std::int64_t{now.tv_sec} + now.tv_nsec / 1'000'000;

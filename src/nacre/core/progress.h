@@ -34,7 +34,7 @@ class SharedProgress {
 
     /// Counts what is done and reports it; add(0) asks at once.
     void add(double done = 1);
-    /// Asks without counting, for loops inside of long pieces: at most every 50 ms, and never
+    /// Asks without counting, for loops inside of long pieces: at most every 5 ms, and never
     /// waiting for another thread that asks. @return false if the caller asked to stop
     bool keep_going();
     /// Whether the caller asked to stop; threads begin no further piece.

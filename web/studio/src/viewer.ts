@@ -254,6 +254,7 @@ export class Viewer {
     /** Numbers for the live picture of a recipe. */
     shader(recipe: Table, message: Message, attachments: readonly Attachment[]): void {
         this.liveRecipe = recipe;
+        this.live?.pause(false);
         const can = this.live?.setPaint(message, attachments) === true;
         this.store.set({ liveSamples: can ? 0 : null });
     }
@@ -313,8 +314,9 @@ export class Viewer {
         }
         this.stop();
         this.quickWanted = this.postponed = false;
-        const { view, liveSamples } = this.store.get();
-        this.live?.pause(false);
+        const { view, liveSamples, recipe } = this.store.get();
+        // Not to draw the paint before once more: the numbers of this one are on their way.
+        if (recipe === this.liveRecipe) this.live?.pause(false);
         if (view !== null) this.live?.show(view, this.size.width, this.size.height);
         if (liveSamples === null) this.start(true, false);
         else this.startLater();

@@ -5,8 +5,8 @@
  *
  *     ./dev studio --latency
  *
- * Arguments: [MOVES [PAINT [KEY [WIDTHxHEIGHT]]]], by default 30 moves of a film of red-gold in a window of
- * 1280 x 800. Which renderer draws is said first (test/program.ts tells how to choose it).
+ * Arguments: [MOVES [PAINT [KEY [WIDTHxHEIGHT [REST_MS]]]]], by default 30 moves of a film of red-gold in a
+ * window of 1280 x 800, each 120 to 220 ms after the picture of the one before was seen. Which renderer draws is said first (test/program.ts tells how to choose it).
  */
 
 import assert from "node:assert/strict";
@@ -183,7 +183,12 @@ async function firstPicture(page: UnwatchedPage): Promise<FirstPicture> {
 }
 
 /** Each after all of the one before was seen, or at once on its chips. */
-async function moves(page: UnwatchedPage, count: number, key: string): Promise<void> {
+async function moves(
+    page: UnwatchedPage,
+    count: number,
+    key: string,
+    rest_ms: number,
+): Promise<void> {
     await page.evaluate((slider) => {
         const found = document.querySelector<HTMLInputElement>(slider);
         if (found === null) throw new Error(`${slider}: the page has no such slider`);
@@ -194,7 +199,7 @@ async function moves(page: UnwatchedPage, count: number, key: string): Promise<v
     for (let i = 0; i < count; ++i) {
         chips.push(await move(page));
         pictures.push(await firstPicture(page));
-        await sleep(120 + 100 * Math.random());
+        await sleep(rest_ms + 100 * Math.random());
     }
     report("from a key to its chips", chips);
     const steps: [keyof FirstPicture, string][] = [
@@ -238,17 +243,8 @@ async function frames(page: UnwatchedPage, count: number): Promise<void> {
     );
 }
 
-const FILM = "layer[0].flakes[0].coats[0].thickness_nm";
-const [, , given = "30", paint = "red-gold", key = FILM, size = "1280x800"] = argv;
-const count = Number(given);
-if (!(Number.isInteger(count) && count > 0))
-    throw new Error("MOVES: must be a whole number above 0");
-const [width = NaN, height = NaN] = size.split("x").map(Number);
-if (!(width >= 600 && height >= 400)) throw new Error("WIDTHxHEIGHT: must be 600x400 at least");
-const program = await Program.start(paint);
-const page = await UnwatchedPage.open(width, height);
-try {
-    await page.goto(program.url, watchDrawing);
+async function measure(page: UnwatchedPage, url: string): Promise<void> {
+    await page.goto(url, watchDrawing);
     await page.until(() => document.querySelector(".chips[data-current=true]") !== null, null);
     await page.until(() => window.clock.frames_ms.length > 0, null);
     const renderer = await page.evaluate(() => {
@@ -258,10 +254,28 @@ try {
     }, null);
     console.log(`drawn by ${renderer}`);
     await sleep(2000); // shaders are compiled, the first pictures drawn
-    await moves(page, count, key);
+    await moves(page, count, key, rest_ms);
     await frames(page, count);
     console.log(`load ${(loadavg()[0] as number).toFixed(1)}`);
+}
+
+const FILM = "layer[0].flakes[0].coats[0].thickness_nm";
+const [, , given = "30", paint = "red-gold", key = FILM, size = "1280x800", rest = "120"] = argv;
+const count = Number(given);
+if (!(Number.isInteger(count) && count > 0))
+    throw new Error("MOVES: must be a whole number above 0");
+const [width = NaN, height = NaN] = size.split("x").map(Number);
+if (!(width >= 600 && height >= 400)) throw new Error("WIDTHxHEIGHT: must be 600x400 at least");
+const rest_ms = Number(rest);
+if (!(rest_ms >= 0)) throw new Error("REST_MS: must be a number, 0 at least");
+const program = await Program.start(paint);
+try {
+    const page = await UnwatchedPage.open(width, height);
+    try {
+        await measure(page, program.url);
+    } finally {
+        await page.close();
+    }
 } finally {
-    await page.close();
     await program.end();
 }

@@ -11,9 +11,11 @@ import { FloatType, HalfFloatType } from "three";
 import { Display, ENOUGH, INTERLEAVED } from "./display";
 import type { Stratum } from "./flakes";
 import { flakeValues, restMatrix, sampleOf } from "./flakes";
+import type { Drawing, Drawn } from "./frame_loop";
+import { FrameLoop } from "./frame_loop";
 import { lightValues } from "./lights";
 import type { Light, Mesh, PaintFilms, PaintShader, Transform } from "./paint";
-import { BUSY_MS, Pace, REST_MS, whenDrawn } from "./pace";
+import type { Budgets } from "./pace";
 import { uniformValues, withFilms } from "./paint";
 import { clear, filled, Pass, rendererOn } from "./pass";
 import { EVERYWHERE, MOST_RECTANGLES, shading } from "./passes";
@@ -56,18 +58,9 @@ const MOST_COARSE = 10;
 /** Of a sample with flakes, over one that does not, where processors draw. */
 const COST_OF_FLAKES = 6;
 const MOST_SAMPLES = 1024;
-/** Between frames that show a part of a sample: to be shown takes processors as long as to be drawn. */
-const SHOWN_MS = 100;
-
-/** What a frame has added. */
-interface Drawn {
-    readonly sums: Sums;
-    /** Samples of pixels, as costly as such without flakes. */
-    readonly work: number;
-}
 
 /** Draws where WebGL 2 can draw into floats; else its constructor throws an Error that says what lacks. */
-export class LiveView {
+export class LiveView implements Drawing {
     private readonly renderer: WebGLRenderer;
     private readonly sumType: TextureDataType;
     private readonly mostSamples: number;
@@ -93,31 +86,19 @@ export class LiveView {
     /** The mean in every pixel, shown before flakes are where these take long. */
     private fine: Sums | null = null;
     private coarseness = 3;
-    private readonly pace = new Pace();
-    /** Whether a frame is being drawn. */
-    private underWay = false;
-    private request = 0;
-    private timer: ReturnType<typeof setTimeout> | undefined;
     /** Whether films were asked for. */
     private filmsWanted = false;
-    /** Until then what is there is not refined. */
-    private restsUntil = 0;
-    /** Until then the next move is likely, and frames are short. */
-    private busyUntil = 0;
-    private dirty = false;
-    /** When the last frame was shown. */
-    private shownAt = 0;
-    private stopped = false;
-    private held = false;
-    private lost = false;
+    private readonly loop: FrameLoop;
 
     constructor(
         private readonly canvas: HTMLCanvasElement,
         private readonly options: LiveOptions = {},
     ) {
         this.renderer = rendererOn(canvas);
+        const context = this.renderer.getContext() as WebGL2RenderingContext;
+        this.loop = new FrameLoop(context, this);
         // Half floats count to 2048; their sums lose light before that.
-        const precise = this.renderer.getContext().getExtension("EXT_float_blend") !== null;
+        const precise = context.getExtension("EXT_float_blend") !== null;
         this.sumType = precise ? FloatType : HalfFloatType;
         this.mostSamples = Math.min(options.samples ?? MOST_SAMPLES, precise ? 1e6 : 128);
         this.shape = new Shape(this.renderer);
@@ -164,9 +145,7 @@ export class LiveView {
             );
         }
         this.nextPaint = paint;
-        if (this.stopped || this.lost) return;
-        this.attempt(); // in this turn: it is waited for
-        this.schedule();
+        this.loop.now();
     }
 
     /** Those of the paint that is drawn, whose mean is shown until they come. */
@@ -174,7 +153,7 @@ export class LiveView {
         if (this.paint === null || this.paint.films) return;
         this.paint = withFilms(this.paint, films);
         this.handOver(this.paint, films);
-        this.schedule();
+        this.loop.schedule();
     }
 
     setCamera(camera: Camera): void {
@@ -195,8 +174,7 @@ export class LiveView {
     /** Whether stripes mark the colours that the display cannot show. */
     setGamutWarning(warn: boolean): void {
         this.warn = warn;
-        this.dirty = true;
-        this.schedule();
+        this.loop.renew();
     }
 
     /** Whether single flakes are seen, or their mean. */
@@ -222,7 +200,7 @@ export class LiveView {
             samples: this.whole?.samples ?? 0,
             fine: this.isFine,
             compiling: this.nextPaint !== null,
-            frame_ms: this.pace.frame_ms,
+            frame_ms: this.loop.frame_ms,
             coarseness: this.coarseness,
         };
     }
@@ -235,28 +213,20 @@ export class LiveView {
 
     /** Draws nothing until resume(), as while another picture covers this one. */
     pause(): void {
-        this.stopped = true;
-        cancelAnimationFrame(this.request);
-        clearTimeout(this.timer);
-        this.request = 0;
+        this.loop.pause();
     }
 
     resume(): void {
-        if (!this.stopped) return;
-        this.stopped = false;
-        this.dirty = true;
-        this.schedule();
+        this.loop.resume();
     }
 
     /** Draws what is new once and does not refine it, as while colours are computed. */
     hold(held: boolean): void {
-        if (held === this.held) return;
-        this.held = held;
-        if (!held) this.schedule();
+        this.loop.hold(held);
     }
 
     dispose(): void {
-        this.pause();
+        this.loop.end();
         this.canvas.removeEventListener("webglcontextlost", this.onLost);
         this.renderer.dispose();
         this.renderer.forceContextLoss();
@@ -265,8 +235,7 @@ export class LiveView {
     /** The canvas takes another view once the processor is back. */
     private readonly onLost = (event: Event): void => {
         event.preventDefault(); // else it would stay away
-        this.lost = true;
-        this.pause();
+        this.loop.end();
         this.canvas.removeEventListener("webglcontextlost", this.onLost);
         this.renderer.dispose();
         this.options.onFault?.("the graphics processor was lost");
@@ -275,81 +244,25 @@ export class LiveView {
     private restart(): void {
         this.shown.forget();
         for (const sums of [this.whole, this.coarse, this.fine]) sums?.restart();
-        this.dirty = true;
-        this.schedule();
+        this.loop.renew();
     }
 
-    private schedule(): void {
-        if (this.request !== 0 || this.stopped || this.lost) return;
-        this.request = requestAnimationFrame(() => {
-            this.request = 0;
-            this.attempt();
-        });
+    // ---- what the loop of frames asks for ----
+
+    get awaits(): boolean {
+        return this.nextPaint !== null;
     }
 
-    private attempt(): void {
-        try {
-            this.frame();
-        } catch (error) {
-            this.nextPaint = null;
-            this.options.onFault?.(error instanceof Error ? error.message : String(error));
-        }
-    }
-
-    private scheduleAt(when: number): void {
-        clearTimeout(this.timer);
-        this.timer = setTimeout(() => {
-            this.schedule();
-        }, when - performance.now());
-    }
-
-    private frame(): void {
-        if (this.underWay) return; // its end schedules the next
-        this.takePaint();
-        const begun = performance.now();
-        if (!this.dirty && (this.held || begun < this.restsUntil)) {
-            if (this.nextPaint !== null) this.schedule();
-            else if (!this.held) this.scheduleAt(this.restsUntil);
-            return;
-        }
-        const drawn = this.draw();
-        const shown = this.dirty || (drawn !== null && this.shows(drawn.sums, begun));
-        if (shown) {
-            this.display();
-            this.dirty = false;
-            this.shownAt = begun;
-            this.options.onChange?.(this.state);
-        }
-        if (drawn !== null) this.waitUntilDrawn(begun, drawn.work, shown);
-        else if (this.nextPaint !== null) this.schedule();
-    }
-
-    /**
-     * Whether what was added to a picture is shown with this frame: what ends a sample of it at once, strips
-     * that can be seen now and then.
-     */
-    private shows(sums: Sums, now: number): boolean {
-        if (sums === this.coarse || sums.rows === 0) return true;
-        const seen = this.mean === null || sums.samples + 1 >= ENOUGH;
-        return sums === this.whole && seen && now - this.shownAt >= SHOWN_MS;
-    }
-
-    /** Until the graphics processor has drawn a frame, which tells how fast it is. */
-    private waitUntilDrawn(begun: number, work: number, shown: boolean): void {
-        this.underWay = whenDrawn(this.renderer.getContext() as WebGL2RenderingContext, () => {
-            this.underWay = false;
-            this.pace.drawn(performance.now() - begun, work, shown);
-            // Of what is not shown the screen's next frame need not be waited for.
-            if (shown || this.stopped || this.lost) this.schedule();
-            else this.attempt();
-        });
+    failed(error: unknown): void {
+        this.nextPaint = null;
+        this.options.onFault?.(error instanceof Error ? error.message : String(error));
     }
 
     /** Hands over the numbers of a paint whose program is there. */
-    private takePaint(): void {
+    takeNew(): boolean {
         const paint = this.nextPaint;
         const pass = paint === null ? undefined : this.paints.get(paint.program);
-        if (paint === null || pass?.ready() !== true) return;
+        if (paint === null || pass?.ready() !== true) return false;
         this.nextPaint = null;
         if (this.whole && this.sparkle && this.paint !== null) {
             this.whole = this.shown.changePaint(this.whole, this.paint, paint, () => this.make(1));
@@ -359,7 +272,7 @@ export class LiveView {
         this.handOver(paint, paint);
         if (this.whole) this.whole.samples = this.whole.rows = 0;
         for (const sums of [this.coarse, this.fine]) sums?.restartWhereSeen();
-        this.dirty = true;
+        return true;
     }
 
     private handOver({ program }: PaintShader, numbers: PaintFilms): void {
@@ -374,18 +287,17 @@ export class LiveView {
     }
 
     /** As many samples as there is time for in a frame. */
-    private draw(): Drawn | null {
+    draw({ budget, moving, strip }: Budgets, isNew: boolean): Drawn | null {
         const { whole } = this;
         if (!whole || !this.transform || !this.light || !this.camera || !this.paint) return null;
         if (!this.shape.ready() || !this.shown.ready()) return null;
         const pixels = whole.target.width * whole.target.height;
-        const { budget, moving, strip } = this.pace.budgets(performance.now() < this.busyUntil);
         // One sample shows a part of a pixel's flakes, which glitter more than all of them.
         const { sampled } = sampleOf(0, this.showsFlakesIn(whole));
         const least = sampled ? ENOUGH * COST_OF_FLAKES * pixels : pixels;
         const awaited = sampled && !this.paint.films;
         // The first frame of a paint goes without them.
-        if (awaited && !this.dirty && !this.filmsWanted && this.nextPaint === null) {
+        if (awaited && !isNew && !this.filmsWanted && this.nextPaint === null) {
             this.filmsWanted = true;
             this.options.onFilmsWanted?.();
         }
@@ -398,10 +310,7 @@ export class LiveView {
             const wanted = Math.ceil(Math.sqrt(pixels / moving));
             const coarse = this.coarseOf(Math.min(Math.max(wanted, LEAST_COARSE), MOST_COARSE));
             if (coarse.samples === 0) {
-                if (pixels > budget) {
-                    this.restsUntil = performance.now() + REST_MS;
-                    this.busyUntil = this.restsUntil + BUSY_MS;
-                }
+                if (pixels > budget) this.loop.rest();
                 // Of every pixel: without its last rows there would be nothing to see.
                 const all = coarse.target.width * coarse.target.height;
                 return this.add(coarse, Math.max(all, Math.min(moving, COARSE_SAMPLES * all)));
@@ -478,7 +387,14 @@ export class LiveView {
             work += rows * cost;
             sums.added(rows);
         }
-        return work > 0 ? { sums, work } : null;
+        return work > 0 ? { work, seen: this.isSeen(sums) } : null;
+    }
+
+    /** What ends a sample at once, strips that can be seen now and then. */
+    private isSeen(sums: Sums): Drawn["seen"] {
+        if (sums === this.coarse || sums.rows === 0) return "now";
+        const isOver = this.mean === null || sums.samples + 1 >= ENOUGH;
+        return sums === this.whole && isOver ? "soon" : "not";
     }
 
     private drawShape(sums: Sums, eye: Eye, shift: readonly [number, number]): void {
@@ -518,8 +434,10 @@ export class LiveView {
         pass.draw(target, [from, rows]);
     }
 
-    private display(): void {
-        if (!this.whole || !this.shown.ready()) return;
-        this.shown.draw(this.whole, this.mean, this.coarse, this.warn);
+    show(): void {
+        if (this.whole && this.shown.ready()) {
+            this.shown.draw(this.whole, this.mean, this.coarse, this.warn);
+        }
+        this.options.onChange?.(this.state);
     }
 }

@@ -1,12 +1,13 @@
 /** How much is drawn in a frame, by the time that the last frames took. */
 
 /**
- * As long as drawing may take in a frame without the page becoming slow, and in the frame that follows a
- * move, unless the least that it shows takes longer. A card draws oftener than processors for less: what
- * is new then waits for less, chips too.
+ * As long as drawing may take in a frame without the page becoming slow, unless the least that it shows takes
+ * longer: of one that holds the whole picture, of the one that follows a move, and of one that adds a part of a
+ * sample. A card draws oftener than processors for less: what is new then waits for less, chips too. Processors
+ * compute the next paint as well, whose move waits for the end of the frame under way.
  */
-const BY_CARD = { frame_ms: 12, moving_ms: 6 };
-const BY_PROCESSOR = { frame_ms: 30, moving_ms: 12 };
+const BY_CARD = { frame_ms: 12, moving_ms: 6, strip_ms: 12 };
+const BY_PROCESSOR = { frame_ms: 30, moving_ms: 12, strip_ms: 12 };
 /** Who has drawn a frame in less is a card, or as fast as one. */
 const CARD_MS = 15;
 /** Samples of pixels that are worth a frame on any machine. */
@@ -16,9 +17,6 @@ const LEAST_WORK = 4096;
  * the next move may be on its way.
  */
 export const REST_MS = 200;
-/** So long from then on frames are as short as after a move: the next one waits for the end of the one under way. */
-export const BUSY_MS = 500;
-
 /** Between looks whether a frame has been drawn. */
 const POLL_MS = 2;
 /** What a frame that is not shown takes whatever is drawn: browsers make timers that follow each other wait for 4 ms. */
@@ -45,6 +43,15 @@ export function whenDrawn(gl: WebGL2RenderingContext, then: () => void): boolean
     return true;
 }
 
+/** Samples of pixels that a frame has time for. */
+export interface Budgets {
+    readonly budget: number;
+    /** In the frame that follows a move. */
+    readonly moving: number;
+    /** In one that adds to a picture that is there. */
+    readonly strip: number;
+}
+
 export class Pace {
     /** The last frame's, from when it was begun until the graphics processor had drawn it. */
     frame_ms = 0;
@@ -53,17 +60,12 @@ export class Pace {
     /** What a frame that is shown takes whatever is drawn: the shortest yet. */
     private overhead_ms = 16;
 
-    /**
-     * @param busy  moves follow each other
-     * @returns samples of pixels, in any frame, in the one that follows a move and in one that adds to a picture
-     */
-    budgets(busy: boolean): { budget: number; moving: number; strip: number } {
+    get budgets(): Budgets {
         const by = this.overhead_ms < CARD_MS ? BY_CARD : BY_PROCESSOR;
-        const budget = Math.max(by.frame_ms * this.speed, LEAST_WORK);
         return {
-            budget,
+            budget: Math.max(by.frame_ms * this.speed, LEAST_WORK),
             moving: by.moving_ms * this.speed,
-            strip: busy ? by.moving_ms * this.speed : budget,
+            strip: Math.max(by.strip_ms * this.speed, LEAST_WORK),
         };
     }
 
