@@ -54,6 +54,7 @@ async function buildTests() {
         "unit.test",
         "studio.test",
         "viewer.test",
+        "frame_loop.test",
         "browser.test",
         "layout.test",
         "tools.test",

@@ -68,8 +68,7 @@ class FlakeFilms {
     double min_cosine() const { return min_cosine_; }
     int cosine_intervals() const { return intervals_; }
 
-    /// Whether flakes reflect alike although their films vary, as they do where the core is opaque and
-    /// the varying one, or lies under it.
+    /// Whether flakes reflect alike although their films vary, as where an opaque core alone does.
     bool alike() const { return alike_; }
 
     BoundFlakeFilms bind(const std::array<WavelengthPosition, kLanes>& where) const;
